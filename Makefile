@@ -1,0 +1,48 @@
+# Octocell. `make bench` and `make test` do everything on a fresh Debian or Ubuntu; see `make help`.
+SHELL := /bin/bash
+BUILD ?= build
+PRESET ?= release
+VENV := .venv
+PYTHON := $(VENV)/bin/python
+RESULT ?= reports/out/bench.json
+
+.DEFAULT_GOAL := help
+.PHONY: help setup build test bench bench-full report readme sanitize clean
+
+help: ## Show this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+setup: ## Install what is missing: compilers, libraries, a Python environment, the molecule
+	@scripts/setup.sh
+
+build: setup ## Build build/octocell and the tests, no more
+	@cmake --preset $(PRESET) -B $(BUILD) >/dev/null
+	@cmake --build $(BUILD)
+
+test: build ## Run all tests
+	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j "$$(nproc)"
+	@OCTOCELL_BIN=$(BUILD)/octocell $(PYTHON) -m pytest -q
+
+bench: build ## Time our CPU backend beside FCL and Bullet (minutes), check every row, draw the report
+	@$(BUILD)/octocell bench --preset quick -o $(RESULT)
+	@$(MAKE) --no-print-directory report
+
+bench-full: build ## The same at every size (about an hour)
+	@$(BUILD)/octocell bench --preset full -o $(RESULT)
+	@$(MAKE) --no-print-directory report
+
+report: setup ## Draw plots and the page again from RESULT (default reports/out/bench.json)
+	@$(PYTHON) -m octocell_report build $(RESULT) -o reports/out
+	@echo "open reports/out/index.html"
+
+readme: setup ## Write README's tables from RESULT, a committed JSON
+	@$(PYTHON) -m octocell_report readme $(RESULT) README.md
+
+sanitize: setup ## Build and test with ASan + UBSan, then with TSan
+	@for kind in asan tsan; do \
+	  cmake --preset $$kind >/dev/null && cmake --build build-$$kind && \
+	  ctest --preset $$kind || exit 1; \
+	done
+
+clean: ## Remove everything that was built or drawn
+	rm -rf build build-* reports/out

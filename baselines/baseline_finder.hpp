@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// What all baselines share: when a structure is built, when it is brought up to date, and what of
+// that is timed. A baseline adds how its library does each.
+#pragma once
+
+#include "baselines/candidate_sink.hpp"
+
+namespace octocell::baselines {
+
+class BaselineFinder : public PairFinder {
+ public:
+  void upload(const Plan& plan, SceneView scene) final {
+    start_anew(scene);
+    sink_.prepare(plan);
+  }
+
+  void update(SceneView scene) final {
+    const bool same_count = scene.spheres.size() == scene_.spheres.size();
+    if (!standing_ || cut_short() || !same_count || !can_follow(scene)) {
+      start_anew(scene);
+      return;
+    }
+    scene_ = scene;
+    moved_ = true;
+  }
+
+  void find_pairs(StageClock& clock) final {
+    const bool follows = standing_ && moved_;
+    if (standing_ && !follows) tear_down();
+    sink_.begin(scene_);
+    clock.start();
+    if (follows) {
+      follow();
+      clock.mark(Stage::update);
+    } else {
+      build();
+      clock.mark(Stage::build);
+    }
+    if (!refused()) query();
+    clock.mark(Stage::query);
+    standing_ = true;
+    moved_ = false;
+  }
+
+  Counts counts() final { return sink_.counts(); }
+  std::vector<Pair> download() final { return sink_.sorted_pairs(); }
+  PairDigest digest() final { return sink_.digest(); }
+
+ protected:
+  /// Untimed: makes the library's own objects for the scene, if it wants any.
+  virtual void make_objects() {}
+  /// Untimed: can the standing structure be brought to this scene, of as many spheres as before?
+  virtual bool can_follow(SceneView) { return true; }
+  /// Untimed: back to nothing, so that the next build() starts from there.
+  virtual void tear_down() = 0;
+  /// Timed: from nothing to a structure that can be asked; or refuses by sink().refuse().
+  virtual void build() = 0;
+  /// Timed: the spheres have moved; the library's own way to follow them.
+  virtual void follow() = 0;
+  /// Timed: every candidate pair to the sink, once.
+  virtual void query() = 0;
+
+  [[nodiscard]] std::span<const Sphere> spheres() const { return scene_.spheres; }
+  [[nodiscard]] CandidateSink& sink() { return sink_; }
+
+ private:
+  [[nodiscard]] bool refused() const { return sink_.counts().plan_violation.has_value(); }
+  /// The structure may be incomplete, so it cannot be brought up to date.
+  [[nodiscard]] bool cut_short() const { return refused() || sink_.counts().over_candidate_limit; }
+
+  void start_anew(SceneView scene) {
+    if (standing_) tear_down();
+    scene_ = scene;
+    standing_ = moved_ = false;
+    make_objects();
+  }
+
+  SceneView scene_;
+  CandidateSink sink_;
+  bool standing_ = false;  // a structure of an earlier find_pairs() is there
+  bool moved_ = false;     // and the spheres are no longer where it has them
+};
+
+}  // namespace octocell::baselines

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The baselines' factories, for the registry: one per broad phase and tuning.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "harness/interface/backend.hpp"
+
+namespace octocell::baselines {
+
+// FCL 0.7: tree_init_level 0 is its default (median split), 1 builds from Morton codes.
+std::unique_ptr<PairFinder> make_fcl_dynamic_aabb_tree();
+std::unique_ptr<PairFinder> make_fcl_dynamic_aabb_tree_morton();
+std::unique_ptr<PairFinder> make_fcl_dynamic_aabb_tree_array();
+std::unique_ptr<PairFinder> make_fcl_dynamic_aabb_tree_array_morton();
+
+// Bullet 3.24: pairs found on insertion (default), or in one tree-tree pass (m_deferedcollide).
+std::unique_ptr<PairFinder> make_bullet_dbvt_broadphase();
+std::unique_ptr<PairFinder> make_bullet_dbvt_broadphase_deferred();
+std::unique_ptr<PairFinder> make_bullet_dbvt();
+
+/// Of the libraries that are linked, such as "0.7.0" and "3.24".
+std::string fcl_version();
+std::string bullet_version();
+
+}  // namespace octocell::baselines

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Where every baseline's candidates go: the same exact test and the same pair buffer for all, so
+// that the rows differ by their broad phase only.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "harness/interface/backend.hpp"
+#include "harness/interface/buffer.hpp"
+#include "harness/interface/predicate.hpp"
+
+namespace octocell::baselines {
+
+class CandidateSink {
+ public:
+  /// Untimed: makes room for plan.capacity.pairs pairs, or for none in a count_only plan.
+  void prepare(const Plan& plan) {
+    candidate_limit_ = plan.candidate_limit;
+    room_size_ = plan.count_only ? 0 : plan.capacity.pairs;
+    room_.allocate(room_size_);
+    begin({});
+  }
+
+  /// Untimed: forgets what was found; candidates are ids into `scene` from now on.
+  void begin(SceneView scene) {
+    spheres_ = scene.spheres.data();
+    counts_ = {};
+    checksum_beyond_room_ = 0;
+  }
+
+  /// Tests one candidate, a != b, in any order. Returns false once there were more candidates than
+  /// the plan allows; the caller then stops.
+  bool test(std::uint32_t a, std::uint32_t b) {
+    if (++counts_.candidates > candidate_limit_) {
+      counts_.over_candidate_limit = true;
+      return false;
+    }
+    if (overlap(spheres_[a], spheres_[b])) keep(make_pair_of(a, b));
+    return true;
+  }
+
+  /// The scene is more than the library can hold; `reason` is one line.
+  void refuse(std::string reason) { counts_.plan_violation = std::move(reason); }
+
+  [[nodiscard]] std::uint64_t candidate_limit() const { return candidate_limit_; }
+  [[nodiscard]] const Counts& counts() const { return counts_; }
+
+  [[nodiscard]] std::vector<Pair> sorted_pairs() const {
+    const std::span<const Pair> pairs = stored();
+    std::vector<Pair> sorted(pairs.begin(), pairs.end());
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+  }
+
+  /// Of all pairs found, whether there was room for them or not.
+  [[nodiscard]] PairDigest digest() const {
+    PairDigest digest = digest_of(stored());
+    digest.merge({counts_.pairs - digest.count, checksum_beyond_room_});
+    return digest;
+  }
+
+ private:
+  // The safe band holds for every scene, and a few candidates per sphere do not show the
+  // difference; for the same reason radii are grown here instead of in a copy of the scene.
+  bool overlap(const Sphere& a, const Sphere& b) {
+    const Sphere p = {a.x, a.y, a.z, band_radius<Band::safe>(a.r)};
+    const Sphere q = {b.x, b.y, b.z, band_radius<Band::safe>(b.r)};
+    if (!band_may_overlap(p, q)) return false;
+    if (band_is_sure<Band::safe>(p, q)) return true;
+    return overlap_exact(a, b);
+  }
+
+  void keep(Pair pair) {
+    const std::uint64_t place = counts_.pairs++;
+    if (place < room_size_) {
+      room_[place] = pair;
+      return;
+    }
+    checksum_beyond_room_ += mix_pair(pair);
+  }
+
+  [[nodiscard]] std::span<const Pair> stored() const {
+    return {room_.data(), std::min(counts_.pairs, room_size_)};
+  }
+
+  const Sphere* spheres_ = nullptr;
+  std::uint64_t candidate_limit_ = 0;
+  Counts counts_;
+  Buffer<Pair> room_;  // [room_size_] the first counts_.pairs are in use
+  std::uint64_t room_size_ = 0;
+  std::uint64_t checksum_beyond_room_ = 0;
+};
+
+}  // namespace octocell::baselines

@@ -1,0 +1,21 @@
+# Writes REVISION_HEADER with the commit that is being built; touches it only when it changes.
+execute_process(COMMAND git rev-parse --verify -q HEAD WORKING_DIRECTORY ${SOURCE_DIR}
+                OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+execute_process(COMMAND git status --porcelain WORKING_DIRECTORY ${SOURCE_DIR}
+                OUTPUT_VARIABLE changes OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+if(NOT commit)
+  set(commit "unknown")
+endif()
+if(changes STREQUAL "")
+  set(dirty false)
+else()
+  set(dirty true)
+endif()
+set(text "#pragma once\n#define OCTOCELL_COMMIT \"${commit}\"\n#define OCTOCELL_DIRTY ${dirty}\n")
+set(old "")
+if(EXISTS ${REVISION_HEADER})
+  file(READ ${REVISION_HEADER} old)
+endif()
+if(NOT text STREQUAL old)
+  file(WRITE ${REVISION_HEADER} "${text}")
+endif()

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include "harness/bench/bench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <random>
+#include <regex>
+
+#include "harness/bench/machine.hpp"
+#include "harness/bench/memory.hpp"
+#include "harness/bench/progress.hpp"
+#include "harness/bench/results.hpp"
+#include "harness/interface/error.hpp"
+#include "harness/scenes/scenes.hpp"
+
+namespace octocell::bench {
+namespace {
+
+constexpr int kExitWrongAnswer = 1;
+constexpr int kExitInterrupted = 130;
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// The first Ctrl-C ends the bench after the run in progress; the second ends it at once.
+void listen_for_interrupts() {
+  interrupted = 0;
+  std::signal(SIGINT, [](int) {
+    interrupted = 1;
+    std::signal(SIGINT, SIG_DFL);
+  });
+}
+
+std::regex compile_filter(const BenchOptions& options) {
+  try {
+    return std::regex(options.filter, std::regex::extended);
+  } catch (const std::regex_error&) {
+    throw InputError(fmt::format("filter '{}': not a regular expression", options.filter));
+  }
+}
+
+/// A group and its rows, before anything is run.
+struct PlannedGroup {
+  Group group;
+  std::vector<RowSpec> rows;
+};
+
+/// Everything that the options ask for. What is wrong with them is said here, before a file is
+/// touched.
+std::vector<PlannedGroup> plan_groups(const BenchOptions& options) {
+  const std::regex filter = compile_filter(options);
+  std::vector<PlannedGroup> planned;
+  for (const Group& group : choose_groups(options)) {
+    PlannedGroup next = {group, rows_of(group, options.backend, filter)};
+    if (!next.rows.empty()) planned.push_back(std::move(next));
+  }
+  if (planned.empty()) throw InputError(fmt::format("no row matches '{}'", options.filter));
+  return planned;
+}
+
+/// A row while its group runs: its place in the whole bench, and what runs it.
+struct ActiveRow {
+  std::size_t step;
+  RowRunner runner;
+};
+
+nlohmann::ordered_json describe_group(const Group& group, const Subject& subject) {
+  return {{"scene", group.scene},
+          {"n", group.n},
+          {"spec", subject.spec},
+          {"real", group.real},
+          {"unavailable", nullptr},
+          {"truth",
+           {{"pairs", subject.digest.count},
+            {"checksum", fmt::format("{:#018x}", subject.digest.checksum)}}}};
+}
+
+nlohmann::ordered_json describe_missing(const Group& group) {
+  return {{"scene", group.scene},
+          {"n", 0},
+          {"spec", group.argument},
+          {"real", group.real},
+          {"unavailable", group.unavailable},
+          {"truth", nullptr}};
+}
+
+class Bench {
+ public:
+  explicit Bench(const BenchOptions& options)
+      : options_(options),
+        groups_(plan_groups(options)),
+        results_(options.output, context()),
+        progress_(steps()) {}
+
+  int run() {
+    make_output_folder();
+    results_.require_writable();
+    listen_for_interrupts();
+    for (const PlannedGroup& planned : groups_) {
+      run_group(planned);
+      if (interrupted != 0) break;
+      results_.write();
+    }
+    return finish();
+  }
+
+ private:
+  nlohmann::ordered_json context() const {
+    nlohmann::ordered_json context = describe_build_and_machine();
+    context["preset"] = options_.scenes.empty() ? options_.preset : "custom";
+    context["rounds"] = groups_.back().group.rounds;
+    context["min_time_ms"] = options_.min_time_ms;
+    context["candidate_limit"] = candidate_limit(options_);
+    return context;
+  }
+
+  std::vector<Progress::Step> steps() const {
+    std::vector<Progress::Step> steps;
+    for (const auto& [group, rows] : groups_) {
+      for (const RowSpec& row : rows) {
+        steps.push_back({row.how.label(), static_cast<double>(group.n), 2.0 + 2.0 * group.rounds});
+      }
+    }
+    return steps;
+  }
+
+  void make_output_folder() const {
+    const std::filesystem::path folder = std::filesystem::path(options_.output).parent_path();
+    std::error_code ignored;  // require_writable() says what is wrong
+    if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
+  }
+
+  void run_group(const PlannedGroup& planned) {
+    const std::size_t first_step = next_step_;
+    next_step_ += planned.rows.size();
+    const Group& group = planned.group;
+    if (!group.unavailable.empty()) {
+      results_.add_group(describe_missing(group));
+      progress_.note(fmt::format("{}: left out: {}", group.scene, group.unavailable));
+      return;
+    }
+    const Scene scene = load_or_generate(group.argument);
+    Subject subject = {.spec = scene.spec,
+                       .scene = scene.view(),
+                       .truth = reference::exact_pairs(scene.spheres),
+                       .digest = {}};
+    subject.digest = digest_of(subject.truth);
+    std::vector<ActiveRow> rows;
+    for (const RowSpec& row : planned.rows) {
+      rows.push_back(
+          {first_step + rows.size(), RowRunner(row, subject, candidate_limit(options_))});
+    }
+    verify_rows(group, rows);
+    measure_rounds(group, rows);
+    if (interrupted != 0) return;  // a group counts when it is whole
+    results_.add_group(describe_group(group, subject));
+    for (ActiveRow& row : rows) {
+      const RowRunner& runner = row.runner;
+      any_wrong_ = any_wrong_ || (runner.result().wrong() && !runner.row().how.exhibit());
+      results_.add_row(group, runner.row(), runner.result());
+    }
+  }
+
+  void verify_rows(const Group& group, std::vector<ActiveRow>& rows) {
+    std::map<std::string, std::optional<std::uint64_t>> memory;  // by implementation and threads
+    for (auto& [step, runner] : rows) {
+      if (interrupted != 0) return;
+      show(group, runner, step, "checking");
+      const auto begin = std::chrono::steady_clock::now();
+      runner.verify(options_.min_time_ms);
+      const bool skipped = runner.result().skipped.has_value();
+      const RowSpec& row = runner.row();
+      const std::string key = fmt::format("{} {}", row.how.label(), row.threads);
+      if (options_.memory && !skipped) {
+        if (!memory.contains(key)) memory[key] = peak_bytes(row, group.argument);
+        runner.result().peak_bytes = memory[key];
+      }
+      progress_.learn(step, seconds_since(begin), skipped ? 1.0 : 1.0 / (1.0 + group.rounds));
+    }
+  }
+
+  /// Each round measures every row once, in an order of its own.
+  void measure_rounds(const Group& group, std::vector<ActiveRow>& rows) {
+    std::vector<ActiveRow*> order;
+    for (ActiveRow& row : rows) {
+      if (!row.runner.result().skipped) order.push_back(&row);
+    }
+    std::mt19937 shuffler(1);
+    for (int round = 0; round < group.rounds; ++round) {
+      std::shuffle(order.begin(), order.end(), shuffler);
+      for (ActiveRow* row : order) {
+        if (interrupted != 0) return;
+        show(group, row->runner, row->step, fmt::format("round {} of {}", round + 1, group.rounds));
+        const auto begin = std::chrono::steady_clock::now();
+        row->runner.measure(row_name(row->runner.row(), group));
+        progress_.learn(row->step, seconds_since(begin), (2.0 + round) / (1.0 + group.rounds));
+      }
+    }
+  }
+
+  int finish() {
+    if (interrupted == 0) results_.finish();
+    results_.write();
+    progress_.note(fmt::format(
+        "{}{}", interrupted != 0 ? "interrupted; finished groups are in " : "", options_.output));
+    if (interrupted != 0) return kExitInterrupted;
+    return any_wrong_ ? kExitWrongAnswer : 0;
+  }
+
+  void show(const Group& group, const RowRunner& runner, std::size_t step, std::string_view what) {
+    progress_.show(step, fmt::format("{} {} n={} {}, {}", runner.row().how.label(), group.scene,
+                                     group.n, bench::name_of(runner.row().run), what));
+  }
+
+  static double seconds_since(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+
+  BenchOptions options_;
+  std::vector<PlannedGroup> groups_;
+  Results results_;
+  Progress progress_;
+  std::size_t next_step_ = 0;
+  bool any_wrong_ = false;
+};
+
+int list_rows(const BenchOptions& options) {
+  for (const auto& [group, rows] : plan_groups(options)) {
+    for (const RowSpec& row : rows) fmt::print("{}\n", row_name(row, group));
+  }
+  return 0;
+}
+
+}  // namespace
+
+int run_bench(const BenchOptions& options) {
+  return options.list_only ? list_rows(options) : Bench(options).run();
+}
+
+}  // namespace octocell::bench

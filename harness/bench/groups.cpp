@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "harness/bench/groups.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <utility>
+
+#include "harness/interface/error.hpp"
+#include "harness/scenes/scenes.hpp"
+
+namespace octocell::bench {
+namespace {
+
+constexpr std::string_view kMolecule = "data/1A2C.pqr";
+
+void add(std::vector<Group>& groups, std::string_view scene, std::uint64_t n, int rounds,
+         bool slow_rows = true) {
+  groups.push_back({.scene = std::string(scene),
+                    .n = n,
+                    .argument = fmt::format("{}:n={},seed=1", scene, n),
+                    .rounds = rounds,
+                    .slow_rows = slow_rows});
+}
+
+/// Fetched at set-up, or not.
+Group molecule(int rounds) {
+  Group group = {
+      .scene = "1A2C", .argument = std::string(kMolecule), .real = true, .rounds = rounds};
+  try {
+    group.n = load_or_generate(group.argument).spheres.size();
+  } catch (const InputError& missing) {
+    group.unavailable = missing.what();
+  }
+  return group;
+}
+
+/// A scene of the caller's.
+Group custom(const std::string& argument) {
+  const Scene scene = load_or_generate(argument);
+  return {.scene = scene.name, .n = scene.spheres.size(), .argument = argument};
+}
+
+/// gas, gas#2: scenes that differ in a seed only must not share the names of their rows.
+void make_labels_distinct(std::vector<Group>& groups) {
+  std::map<std::pair<std::string, std::uint64_t>, int> seen;
+  for (Group& group : groups) {
+    const int times = ++seen[{group.scene, group.n}];
+    if (times > 1) group.scene += fmt::format("#{}", times);
+  }
+}
+
+std::vector<Group> quick_groups() {
+  std::vector<Group> groups;
+  add(groups, "gas", 1'000, 5);
+  for (const auto scene : {"gas", "dense", "poly", "cluster", "lattice", "shifted", "giant"}) {
+    add(groups, scene, 10'000, 5);
+  }
+  groups.push_back(molecule(5));
+  for (const auto scene : {"gas", "dense", "poly", "cluster", "lattice", "shifted", "giant"}) {
+    add(groups, scene, 100'000, 3, std::string_view(scene) == "gas");
+  }
+  add(groups, "gas", 1'000'000, 3, false);
+  return groups;
+}
+
+std::vector<Group> full_groups() {
+  std::vector<Group> groups;
+  groups.push_back(molecule(11));
+  for (const std::uint64_t n : {1'000ULL, 10'000ULL, 100'000ULL, 1'000'000ULL}) {
+    for (const auto scene : {"gas", "dense", "poly", "cluster", "lattice", "shifted", "giant"}) {
+      add(groups, scene, n, n < 100'000 ? 11 : n < 1'000'000 ? 7 : 5);
+    }
+  }
+  return groups;
+}
+
+}  // namespace
+
+std::vector<Group> choose_groups(const BenchOptions& options) {
+  if (options.preset != "quick" && options.preset != "full") {
+    throw InputError(fmt::format("unknown preset '{}'; known: quick, full", options.preset));
+  }
+  std::vector<Group> groups;
+  for (const std::string& scene : options.scenes) groups.push_back(custom(scene));
+  if (groups.empty()) groups = options.preset == "quick" ? quick_groups() : full_groups();
+  make_labels_distinct(groups);
+  if (options.rounds) {
+    for (Group& group : groups) group.rounds = *options.rounds;
+  }
+  return groups;
+}
+
+std::uint64_t candidate_limit(const BenchOptions& options) {
+  return options.preset == "full" ? 100'000'000'000 : 3'000'000'000;
+}
+
+}  // namespace octocell::bench

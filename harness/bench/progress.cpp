@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "harness/bench/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace octocell::bench {
+namespace {
+
+constexpr double kUnknownSecondsPerSphere = 5e-7;
+constexpr std::chrono::seconds kBetweenLines{3};
+
+std::string in_words(double seconds) {
+  if (seconds < 10.0) return "a few seconds left";
+  if (seconds < 90.0) return fmt::format("about {:.0f} s left", std::ceil(seconds / 10.0) * 10.0);
+  return fmt::format("about {:.0f} min left", std::ceil(seconds / 60.0));
+}
+
+}  // namespace
+
+Progress::Progress(std::vector<Step> steps)
+    : steps_(std::move(steps)), done_(steps_.size(), 0.0), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress() {
+  if (line_open_) std::fputs("\n", stderr);
+}
+
+double Progress::seconds_left() const {
+  double seconds = 0.0;
+  for (std::size_t s = 0; s < steps_.size(); ++s) {
+    const auto known = seconds_per_sphere_.find(steps_[s].label);
+    const double each =
+        known == seconds_per_sphere_.end() ? kUnknownSecondsPerSphere : known->second;
+    seconds += (1.0 - done_[s]) * steps_[s].passes * steps_[s].spheres * each;
+  }
+  return seconds;
+}
+
+void Progress::learn(std::size_t step, double seconds, double share) {
+  const double gained = share - done_[step];
+  done_[step] = share;
+  if (gained <= 0.0 || steps_[step].spheres == 0.0) return;
+  seconds_per_sphere_[steps_[step].label] =
+      seconds / (gained * steps_[step].passes * steps_[step].spheres);
+}
+
+void Progress::show(std::size_t step, std::string_view what) {
+  const auto now = std::chrono::steady_clock::now();
+  if (!terminal_ && now - last_shown_ < kBetweenLines) return;
+  last_shown_ = now;
+  const std::string line =
+      fmt::format("[{}/{}] {}, {}", step + 1, steps_.size(), what, in_words(seconds_left()));
+  fmt::print(stderr, "{}{}{}", terminal_ ? "\r\x1b[K" : "", line, terminal_ ? "" : "\n");
+  std::fflush(stderr);
+  line_open_ = terminal_;
+}
+
+void Progress::note(std::string_view line) {
+  fmt::print(stderr, "{}{}\n", line_open_ ? "\r\x1b[K" : "", line);
+  line_open_ = false;
+}
+
+}  // namespace octocell::bench

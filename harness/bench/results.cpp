@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "harness/bench/results.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "harness/interface/error.hpp"
+#include "harness/scenes/output_file.hpp"
+
+namespace octocell::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr int kSchema = 1;
+
+Json identity(const Group& group, const RowSpec& row) {
+  const Implementation& how = row.how;
+  return {{"name", row_name(row, group)},
+          {"backend", how.backend->name},
+          {"kind", how.is_baseline() ? "baseline" : "backend"},
+          {"method", how.is_baseline() ? Json() : Json(name_of(how.method))},
+          {"rule", how.has_rule() ? Json(name_of(how.rule)) : Json()},
+          {"scene", group.scene},
+          {"n", group.n},
+          {"threads", row.threads},
+          {"run", name_of(row.run)},
+          {"exhibit", how.exhibit()}};
+}
+
+void add_answer(Json& json, const RowSpec& row, const RowResult& result) {
+  const bool skipped = result.skipped.has_value();
+  const auto unless_skipped = [skipped](auto value) { return skipped ? Json() : Json(value); };
+  json["status"] = skipped ? "skipped" : result.wrong() ? "wrong" : "ok";
+  json["reason"] = skipped ? Json(*result.skipped) : Json();
+  json["pairs"] = unless_skipped(result.digest.count);
+  json["checksum"] = unless_skipped(fmt::format("{:#018x}", result.digest.checksum));
+  json["missed"] = unless_skipped(result.difference.missed);
+  json["false"] = unless_skipped(result.difference.false_pairs);
+  json["duplicates"] = unless_skipped(result.difference.duplicates);
+  json["candidates"] = unless_skipped(result.counts.candidates);
+  json["doubts"] = row.how.is_baseline() ? Json() : unless_skipped(result.counts.doubts);
+}
+
+void add_times(Json& json, const RowSpec& row, const RowResult& result) {
+  json["iterations"] = result.iterations;
+  json["total_ms"] = result.total_ms;
+  json["stage_ms"] = Json::object();
+  for (const auto& [stage, times] : result.stage_ms) {
+    json["stage_ms"][std::string(name_of(stage))] = times;
+  }
+  json["marked_total_ms"] = result.marked_total_ms;
+  json["plan_ms"] = row.how.is_baseline() ? Json() : Json(result.plan_ms);
+  json["fused"] = Json::object();
+  for (const auto& [stage, holder] : result.fused) {
+    json["fused"][std::string(name_of(stage))] = name_of(holder);
+  }
+  json["peak_bytes"] = result.peak_bytes ? Json(*result.peak_bytes) : Json();
+  json["output_bytes"] = result.digest.count * sizeof(Pair);
+}
+
+}  // namespace
+
+Results::Results(std::string path, Json context) : path_(std::move(path)) {
+  context["finished"] = false;
+  document_ = {{"schema", kSchema},
+               {"context", std::move(context)},
+               {"groups", Json::array()},
+               {"rows", Json::array()}};
+}
+
+void Results::add_group(Json group) { document_["groups"].push_back(std::move(group)); }
+
+void Results::add_row(const Group& group, const RowSpec& row, const RowResult& result) {
+  Json json = identity(group, row);
+  add_answer(json, row, result);
+  add_times(json, row, result);
+  document_["rows"].push_back(std::move(json));
+}
+
+void Results::require_writable() const {
+  struct stat target = {};
+  if (stat(path_.c_str(), &target) == 0) {
+    if (!S_ISREG(target.st_mode)) refuse("not a regular file");
+    if (access(path_.c_str(), W_OK) != 0) refuse(std::strerror(errno));
+    return;
+  }
+  const int probe = open(path_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+  if (probe < 0) refuse(std::strerror(errno));
+  close(probe);
+  unlink(path_.c_str());
+}
+
+void Results::refuse(const char* reason) const {
+  throw InputError(fmt::format("cannot write {}: {}", path_, reason));
+}
+
+void Results::write() const {
+  const std::string text = document_.dump(1) + "\n";
+  write_whole_file(path_, {std::as_bytes(std::span(text))});
+}
+
+}  // namespace octocell::bench

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "harness/bench/rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+namespace octocell::bench {
+namespace {
+
+/// Where a group has no time for all rows: the default rule, and each library's fastest.
+bool is_fast(const Implementation& how) {
+  constexpr std::string_view kFastBaselines[] = {
+      "fcl_dynamic_aabb_tree_morton", "fcl_dynamic_aabb_tree_array_morton", "bullet_dbvt"};
+  if (!how.is_baseline()) return how.has_rule();
+  return std::ranges::find(kFastBaselines, how.backend->name) != std::end(kFastBaselines);
+}
+
+std::vector<int> thread_counts(const Implementation& how) {
+  const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const bool headline = how.has_rule() && how.rule == Rule::lowest_cell;
+  if (!how.backend->threaded || !headline || all == 1) return {1};
+  return {1, all};
+}
+
+}  // namespace
+
+std::string row_name(const RowSpec& row, const Group& group) {
+  std::string name = fmt::format("find_pairs/backend:{}", row.how.backend->name);
+  if (!row.how.is_baseline()) name += fmt::format("/method:{}", name_of(row.how.method));
+  if (row.how.has_rule()) name += fmt::format("/rule:{}", name_of(row.how.rule));
+  return name + fmt::format("/scene:{}/n:{}/threads:{}/run:{}", group.scene, group.n, row.threads,
+                            name_of(row.run));
+}
+
+std::vector<RowSpec> rows_of(const Group& group, std::string_view backend,
+                             const std::regex& filter) {
+  std::vector<RowSpec> rows;
+  for (const Implementation& how : implementations(backend)) {
+    if (!group.slow_rows && !is_fast(how)) continue;
+    for (const int threads : thread_counts(how)) {
+      rows.push_back({how, threads, Run::cold});
+      rows.push_back({how, threads, Run::warm});
+    }
+    if (how.is_baseline() && group.slow_rows) rows.push_back({how, 1, Run::update});
+  }
+  std::erase_if(
+      rows, [&](const RowSpec& row) { return !std::regex_search(row_name(row, group), filter); });
+  return rows;
+}
+
+}  // namespace octocell::bench

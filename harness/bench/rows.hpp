@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <regex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/bench/groups.hpp"
+#include "harness/registry/registry.hpp"
+
+namespace octocell::bench {
+
+/// What a measurement starts from.
+enum class Run : std::uint8_t {
+  cold,    // nothing: create, plan, allocate, find; freed memory was given back to the system
+  warm,    // buffers and objects stand and were touched; everything is found anew
+  update,  // baselines: the structure stands, every sphere is announced anew, then all pairs
+};
+inline constexpr std::string_view kRunNames[] = {"cold", "warm", "update"};
+inline std::string_view name_of(Run run) { return kRunNames[static_cast<std::size_t>(run)]; }
+
+/// One row of the results.
+struct RowSpec {
+  Implementation how;
+  int threads = 1;
+  Run run = Run::cold;
+};
+
+/// "find_pairs/backend:impl_cpu/method:home_phantom/rule:lowest_cell/scene:gas/n:1000/..."
+std::string row_name(const RowSpec& row, const Group& group);
+
+/// The rows of a group whose names match, in the order of every table.
+std::vector<RowSpec> rows_of(const Group& group, std::string_view backend,
+                             const std::regex& filter);
+
+}  // namespace octocell::bench

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include "harness/bench/bench.hpp"
+#include "harness/cli/commands.hpp"
+#include "harness/cli/names.hpp"
+
+namespace octocell::cli {
+namespace {
+
+void add_memory_child(CLI::App& app, Command& command) {
+  auto o = std::make_shared<bench::MemoryOptions>();
+  CLI::App* sub = app.add_subcommand("measure-memory", "One run for the bench's memory column");
+  sub->group("");  // not in the help: the bench starts it
+  sub->add_option("SCENE", o->scene)->required();
+  sub->add_option("--row", o->row)->required();
+  sub->add_option("--threads", o->threads);
+  sub->callback([&command, o] { command = [o] { return bench::run_memory_child(*o); }; });
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, Command& command) {
+  auto o = std::make_shared<bench::BenchOptions>();
+  CLI::App* sub = app.add_subcommand(
+      "bench",
+      "Time every implementation; Google Benchmark's flags (--benchmark_...) pass through");
+  sub->add_option("SCENE", o->scenes, "Scenes to time instead of a preset's");
+  sub->add_option("--preset", o->preset, "quick (minutes, default) or full (an hour)");
+  sub->add_option("--backend", o->backend, "A backend, a baseline, or all");
+  sub->add_option("-o,--output", o->output, "JSON to write (default reports/out/bench.json)");
+  sub->add_option("--rounds", o->rounds, "Rounds of each group")->check(CLI::Range(1, 1000000));
+  sub->add_flag("!--no-memory", o->memory, "Do not measure memory");
+  sub->allow_extras();
+  sub->callback([&command, o, sub] {
+    bench::take_benchmark_flags(*o, sub->remaining());
+    command = [o] { return bench::run_bench(*o); };
+  });
+  add_memory_child(app, command);
+}
+
+}  // namespace octocell::cli

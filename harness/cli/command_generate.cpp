@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "harness/cli/commands.hpp"
+#include "harness/scenes/save.hpp"
+#include "harness/scenes/scenes.hpp"
+
+namespace octocell::cli {
+namespace {
+
+struct Options {
+  std::string scene;
+  std::string output;
+  bool round_input = false;
+};
+
+int generate_scene(const Options& options) {
+  const Scene scene = load_or_generate(options.scene, {.round_input = options.round_input});
+  save_scene(options.output, scene.spheres);
+  fmt::print("{}: {} spheres from {}\n", options.output, scene.spheres.size(), scene.spec);
+  return 0;
+}
+
+}  // namespace
+
+void add_generate(CLI::App& app, Command& command) {
+  auto options = std::make_shared<Options>();
+  CLI::App* sub = app.add_subcommand("generate", "Write a scene as NPY, (N, 4) float32");
+  sub->add_option("SCENE", options->scene, "A generator, such as gas:n=100000,seed=7, or a file")
+      ->required();
+  sub->add_option("-o,--output", options->output, "The file to write")->required();
+  sub->add_flag("--round-input", options->round_input, "Accept float64 input and round it");
+  sub->callback([&command, options] { command = [options] { return generate_scene(*options); }; });
+}
+
+}  // namespace octocell::cli

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "harness/cli/commands.hpp"
+#include "harness/registry/registry.hpp"
+#include "harness/scenes/scenes.hpp"
+
+namespace octocell::cli {
+namespace {
+
+void list_backends(Kind kind) {
+  for (const BackendInfo& b : backends()) {
+    if (b.kind != kind) continue;
+    const std::optional<std::string> reason = b.why_unavailable();
+    fmt::print("  {:<36} {:<54} {}\n", b.name, b.summary,
+               reason ? "not here: " + *reason : "available");
+  }
+}
+
+void list_scenes() {
+  for (const SceneInfo& scene : scenes()) {
+    fmt::print("  {:<12} {}\n", scene.name, scene.summary);
+    for (const ParameterInfo& p : scene.parameters) {
+      fmt::print("      {:<10} {} (default {})\n", p.name, p.summary, p.preset);
+    }
+  }
+}
+
+int list() {
+  fmt::print("backends\n");
+  list_backends(Kind::backend);
+  fmt::print("    methods: {}\n", fmt::join(kMethodNames, ", "));
+  fmt::print("    rules of home_phantom: {} (as_written is an exhibit: it loses pairs)\n",
+             fmt::join(kRuleNames, ", "));
+  fmt::print("\nbaselines\n");
+  list_backends(Kind::baseline);
+  fmt::print("\nscenes (NAME or NAME:parameter=value,...; or a file: .npy, .csv, .pqr)\n");
+  list_scenes();
+  return 0;
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, Command& command) {
+  CLI::App* sub = app.add_subcommand("list", "Backends, methods, rules, baselines and scenes");
+  sub->callback([&command] { command = list; });
+}
+
+}  // namespace octocell::cli

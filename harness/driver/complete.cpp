@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "harness/driver/complete.hpp"
+
+#include "harness/interface/error.hpp"
+
+namespace octocell {
+
+Outcome complete(PairFinder& finder, SceneView scene, Plan plan, StageClock& clock) {
+  Outcome outcome;
+  for (;;) {
+    finder.upload(plan, scene);
+    finder.find_pairs(clock);
+    outcome.times = clock.stop();
+    outcome.counts = finder.counts();
+    ++outcome.runs;
+    if (outcome.counts.plan_violation) throw LimitError(*outcome.counts.plan_violation);
+    const bool enough = fits(outcome.counts, plan.capacity, plan.count_only);
+    if (enough || outcome.counts.over_candidate_limit) break;
+    plan = grow(plan, outcome.counts);
+  }
+  outcome.plan = plan;
+  return outcome;
+}
+
+Plan plan_scene(SceneView scene, const PlanOptions& options) {
+  if (options.buffers_only) return plan_buffers(scene.spheres.size(), options);
+  return make_plan(measure(scene), options);
+}
+
+Outcome find_completely(PairFinder& finder, SceneView scene, const PlanOptions& options) {
+  HostClock planning(HostClock::Marks::off);
+  planning.start();
+  const Plan plan = plan_scene(scene, options);
+  const double plan_ms = planning.stop().total_ms;
+
+  HostClock clock;
+  Outcome outcome = complete(finder, scene, plan, clock);
+  outcome.plan_ms = plan_ms;
+  return outcome;
+}
+
+}  // namespace octocell

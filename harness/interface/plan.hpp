@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// What to do with a scene, decided before the stages run, so that nothing timed waits for the host.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "harness/interface/grid.hpp"
+#include "harness/interface/predicate.hpp"
+
+namespace octocell {
+
+enum class Method : std::uint8_t { home_phantom, brute_force };
+enum class Rule : std::uint8_t { lowest_cell, chapter32, as_written };
+
+inline constexpr std::array<std::string_view, 2> kMethodNames = {"home_phantom", "brute_force"};
+inline constexpr std::array<std::string_view, 3> kRuleNames = {"lowest_cell", "chapter32",
+                                                               "as_written"};
+constexpr std::string_view name_of(Method m) { return kMethodNames[static_cast<std::size_t>(m)]; }
+constexpr std::string_view name_of(Rule r) { return kRuleNames[static_cast<std::size_t>(r)]; }
+
+/// Room for what is found on the way. Zero is legal: the finder then says how much is needed.
+struct Capacities {
+  std::uint64_t ids = 0;     // cell ids, and object ids: homes and phantoms
+  std::uint64_t cells = 0;   // entries of the cell index
+  std::uint64_t doubts = 0;  // pairs that float32 cannot decide
+  std::uint64_t pairs = 0;
+};
+
+/// What the plan takes for granted. Stage 1 checks it again on the data it is given.
+struct PlanFacts {
+  std::uint64_t sphere_count = 0;
+  float lowest[3] = {0, 0, 0};  // of the centres
+  float highest[3] = {0, 0, 0};
+  float r_max = 0.0F;
+  float r_min_nonzero = 0.0F;  // smallest radius above zero; 0 if there is none
+};
+
+struct Plan {
+  Method method = Method::home_phantom;
+  Rule rule = Rule::lowest_cell;
+  Grid grid;
+  Band band = Band::safe;
+  PlanFacts facts;
+  Capacities capacity;
+  int threads = 1;
+  bool count_only = false;  // keep count and checksum, store no pairs
+  /// Pair tests are not started when more candidates than this are counted beforehand.
+  std::uint64_t candidate_limit = ~std::uint64_t{0};
+};
+
+/// What a find_pairs() met. Counts go on past the end of a full buffer: they are the sizes needed.
+struct Counts {
+  std::uint64_t ids = 0;
+  std::uint64_t cells = 0;
+  std::uint64_t candidates = 0;  // pairs of spheres looked at
+  std::uint64_t doubts = 0;
+  std::uint64_t pairs = 0;
+  bool over_candidate_limit = false;
+  /// Set when a fact of the plan, or a condition of its rule, does not hold for the data.
+  std::optional<std::string> plan_violation = {};
+};
+
+/// True if every buffer was large enough.
+inline bool fits(const Counts& found, const Capacities& room, bool count_only) {
+  return found.ids <= room.ids && found.cells <= room.cells && found.doubts <= room.doubts &&
+         (count_only || found.pairs <= room.pairs);
+}
+
+}  // namespace octocell

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+// Do two spheres overlap?  |p - q|^2 <= (r_p + r_q)^2, decided over the reals.
+//
+// Three levels, each certain when it answers (proofs: docs/exactness.md):
+//   1. float32 with a band: "apart", "overlap", or "doubt" (a few pairs in a million; all ties)
+//   2. float64 with an error bound, then with error-free transformations: exact or "doubt"
+//   3. integers: every finite float32 is a multiple of 2^-149
+// Compiled without contraction (-ffp-contract=off): level 2 needs the operations as written.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "harness/interface/host_device.hpp"
+#include "harness/interface/sphere.hpp"
+
+namespace octocell {
+
+enum class Verdict : std::uint8_t { apart, overlap, doubt };
+
+/// Level 1 has two forms. `fast` needs every nonzero radius in [2^-60, 2^62]; `safe` needs nothing.
+enum class Band : std::uint8_t { fast, safe };
+
+inline constexpr float kFastRadiusMin = 0x1p-60F;
+inline constexpr float kFastRadiusMax = 0x1p62F;
+
+// With u = 2^-24: radii grow by 6u, so that H below is >= R (1 + 7u) and D > H proves "apart"
+// (D carries at most 5 roundings); D < H (1 - 24u) proves "overlap".
+inline constexpr float kRadiusGrowth = 0x1.000006p0F;
+inline constexpr float kSureFraction = 0x1.ffffd0p-1F;
+inline constexpr float kSafeRadiusFloor = 0x1p-62F;  // keeps H clear of underflow
+inline constexpr float kSafeSureFloor = 0x1p-70F;    // below it D may have lost bits
+inline constexpr float kFloatMax = 0x1.fffffep127F;
+
+/// The radius as level 1 uses it; once per sphere.
+template <Band band>
+OCTOCELL_HD float band_radius(float r) {
+  const float grown = r * kRadiusGrowth;
+  if constexpr (band == Band::fast) return grown;
+  return grown < kSafeRadiusFloor ? kSafeRadiusFloor : grown;
+}
+
+/// D: the squared distance in float32, any order, with or without FMA.
+OCTOCELL_HD float band_distance2(const Sphere& a, const Sphere& b) {
+  const float dx = a.x - b.x;
+  const float dy = a.y - b.y;
+  const float dz = a.z - b.z;
+  return dx * dx + dy * dy + dz * dz;
+}
+
+/// True for every overlapping pair, and for almost no other.
+/// `a.r` and `b.r` are band radii.
+OCTOCELL_HD bool band_may_overlap(const Sphere& a, const Sphere& b) {
+  const float reach = a.r + b.r;
+  return !(band_distance2(a, b) > reach * reach);
+}
+
+/// For pairs that may overlap: is it certain?  `a.r` and `b.r` are band radii.
+template <Band band>
+OCTOCELL_HD bool band_is_sure(const Sphere& a, const Sphere& b) {
+  const float reach = a.r + b.r;
+  const float reach2 = reach * reach;
+  const float distance2 = band_distance2(a, b);
+  if constexpr (band == Band::fast) return distance2 < reach2 * kSureFraction;
+  const float finite = reach2 < kFloatMax ? reach2 : kFloatMax;
+  return reach2 >= kSafeSureFloor && distance2 < finite * kSureFraction;
+}
+
+namespace exact {
+
+/// a + b = sum + error, exactly (Knuth, TAOCP vol. 2, 4.2.2, theorem B).
+struct Sum {
+  double value;
+  double error;
+};
+OCTOCELL_HD Sum two_sum(double a, double b) {
+  const double sum = a + b;
+  const double b_part = sum - a;
+  return {sum, (a - (sum - b_part)) + (b - b_part)};
+}
+OCTOCELL_HD double square_error(double a, double square) { return std::fma(a, a, -square); }
+
+/// Level 2. float32 inputs can neither overflow nor underflow here (squares lie in 2^-298..2^260).
+OCTOCELL_HD Verdict float64_test(const Sphere& a, const Sphere& b) {
+  const Sum dx = two_sum(a.x, -static_cast<double>(b.x));
+  const Sum dy = two_sum(a.y, -static_cast<double>(b.y));
+  const Sum dz = two_sum(a.z, -static_cast<double>(b.z));
+  const Sum reach = two_sum(a.r, b.r);
+  const double xx = dx.value * dx.value;
+  const double yy = dy.value * dy.value;
+  const double zz = dz.value * dz.value;
+  const double reach2 = reach.value * reach.value;
+  const Sum xy = two_sum(xx, yy);
+  const Sum xyz = two_sum(xy.value, zz);
+  const double excess = xyz.value - reach2;
+
+  // Both sides carry at most 8 roundings of 2^-53; ten leave room for the second order.
+  const double bound = 10.0 * 0x1p-53 * reach2;
+  if (excess > bound) return Verdict::apart;
+  if (excess < -bound) return Verdict::overlap;
+
+  const bool nothing_was_rounded =
+      dx.error == 0.0 && dy.error == 0.0 && dz.error == 0.0 && reach.error == 0.0 &&
+      xy.error == 0.0 && xyz.error == 0.0 && square_error(dx.value, xx) == 0.0 &&
+      square_error(dy.value, yy) == 0.0 && square_error(dz.value, zz) == 0.0 &&
+      square_error(reach.value, reach2) == 0.0;
+  if (!nothing_was_rounded) return Verdict::doubt;
+  return excess <= 0.0 ? Verdict::overlap : Verdict::apart;
+}
+
+/// Level 3: little-endian integers of `kLimbs` 32-bit limbs, in units of 2^-149.
+inline constexpr int kLimbs = 9;  // 288 bits; |p - q| and r_p + r_q need 278
+
+struct Fixed {
+  std::uint32_t limb[kLimbs];
+};
+struct Square {
+  std::uint32_t limb[2 * kLimbs];
+};
+
+/// |value| as an integer: the significand, shifted by the exponent.
+OCTOCELL_HD Fixed fixed_magnitude(float value) {
+  std::uint32_t bits;
+  memcpy(&bits, &value, sizeof bits);
+  const std::uint32_t exponent = (bits >> 23) & 0xffU;
+  const std::uint64_t significand = (bits & 0x7fffffU) | (exponent == 0 ? 0U : 1U << 23);
+  const std::uint32_t shift = exponent == 0 ? 0 : exponent - 1;
+  Fixed fixed = {};
+  const std::uint64_t spread = significand << (shift % 32);
+  fixed.limb[shift / 32] = static_cast<std::uint32_t>(spread);
+  fixed.limb[shift / 32 + 1] = static_cast<std::uint32_t>(spread >> 32);
+  return fixed;
+}
+
+OCTOCELL_HD Fixed add(const Fixed& a, const Fixed& b) {
+  Fixed sum;
+  std::uint64_t carry = 0;
+  for (int i = 0; i < kLimbs; ++i) {
+    carry += std::uint64_t{a.limb[i]} + b.limb[i];
+    sum.limb[i] = static_cast<std::uint32_t>(carry);
+    carry >>= 32;
+  }
+  return sum;
+}
+
+OCTOCELL_HD bool less(const Fixed& a, const Fixed& b) {
+  for (int i = kLimbs - 1; i > 0; --i) {
+    if (a.limb[i] != b.limb[i]) return a.limb[i] < b.limb[i];
+  }
+  return a.limb[0] < b.limb[0];
+}
+
+OCTOCELL_HD Fixed absolute_difference(const Fixed& a, const Fixed& b) {
+  const Fixed& high = less(a, b) ? b : a;
+  const Fixed& low = less(a, b) ? a : b;
+  Fixed difference;
+  std::uint64_t borrow = 0;
+  for (int i = 0; i < kLimbs; ++i) {
+    const std::uint64_t d = std::uint64_t{high.limb[i]} - low.limb[i] - borrow;
+    difference.limb[i] = static_cast<std::uint32_t>(d);
+    borrow = (d >> 32) & 1U;
+  }
+  return difference;
+}
+
+/// |p - q| for two coordinates of any sign.
+OCTOCELL_HD Fixed distance_along_axis(float p, float q) {
+  const Fixed a = fixed_magnitude(p);
+  const Fixed b = fixed_magnitude(q);
+  return (p < 0.0F) == (q < 0.0F) ? absolute_difference(a, b) : add(a, b);
+}
+
+/// sum += a * a
+OCTOCELL_HD void add_square(Square& sum, const Fixed& a) {
+  for (int i = 0; i < kLimbs; ++i) {
+    if (a.limb[i] == 0) continue;
+    std::uint64_t carry = 0;
+    for (int j = 0; j < kLimbs; ++j) {
+      carry += std::uint64_t{a.limb[i]} * a.limb[j] + sum.limb[i + j];
+      sum.limb[i + j] = static_cast<std::uint32_t>(carry);
+      carry >>= 32;
+    }
+    for (int k = i + kLimbs; carry != 0 && k < 2 * kLimbs; ++k) {
+      carry += sum.limb[k];
+      sum.limb[k] = static_cast<std::uint32_t>(carry);
+      carry >>= 32;
+    }
+  }
+}
+
+OCTOCELL_HD bool integer_test(const Sphere& a, const Sphere& b) {
+  Square distance2 = {};
+  add_square(distance2, distance_along_axis(a.x, b.x));
+  add_square(distance2, distance_along_axis(a.y, b.y));
+  add_square(distance2, distance_along_axis(a.z, b.z));
+  Square reach2 = {};
+  add_square(reach2, add(fixed_magnitude(a.r), fixed_magnitude(b.r)));
+  for (int i = 2 * kLimbs - 1; i >= 0; --i) {
+    if (distance2.limb[i] != reach2.limb[i]) return distance2.limb[i] < reach2.limb[i];
+  }
+  return true;  // tangent spheres overlap
+}
+
+}  // namespace exact
+
+/// Levels 2 and 3: the answer for any two finite spheres with r >= 0.
+OCTOCELL_HD bool overlap_exact(const Sphere& a, const Sphere& b) {
+  const Verdict verdict = exact::float64_test(a, b);
+  if (verdict != Verdict::doubt) return verdict == Verdict::overlap;
+  return exact::integer_test(a, b);
+}
+
+}  // namespace octocell

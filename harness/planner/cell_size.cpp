@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// How large should a cell be?  Small cells: a sphere meets many, all sorted. Large cells: many
+// spheres share one, all pairs tested. Any size is correct for rule lowest_cell, so cost decides.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "harness/planner/planner.hpp"
+
+namespace octocell {
+namespace {
+
+// Measured on one CPU (docs/decisions/0004-cell-size.md); only their ratios matter.
+constexpr double kNsPerId = 17.0;
+constexpr double kNsPerIdAndPass = 2.2;
+constexpr double kNsPerCandidate = 0.4;
+constexpr double kStep = 1.189207115002721;  // 2^(1/4)
+constexpr int kMaxSteps = 160;
+
+double expected_ids(const SceneStats& stats, const Grid& grid) {
+  double ids = 0.0;
+  for (const RadiusClass& c : stats.radii) {
+    double cells = 1.0;
+    for (const std::uint32_t along_axis : grid.cell_count) {
+      cells *=
+          std::min(1.0 + 2.0 * c.mean_radius() / grid.cell_side, static_cast<double>(along_axis));
+    }
+    ids += static_cast<double>(c.count) * cells;
+  }
+  return ids;
+}
+
+/// How often each cell id was met: open addressing, a quarter full at most.
+class CellCounter {
+ public:
+  /// How often before this time.
+  std::uint32_t count_before(std::uint32_t id) {
+    std::size_t slot = id * 2654435761U >> (32 - kBits);  // Knuth's multiplicative hash
+    while (slots_[slot].count != 0 && slots_[slot].id != id) slot = (slot + 1) % kSlots;
+    slots_[slot].id = id;
+    return slots_[slot].count++;
+  }
+
+ private:
+  static constexpr int kBits = 12;
+  static constexpr std::size_t kSlots = std::size_t{1} << kBits;
+  static_assert(kSlots >= 4 * kSampleSize);
+  struct Slot {
+    std::uint32_t id;
+    std::uint32_t count;
+  };
+  std::array<Slot, kSlots> slots_ = {};
+};
+
+/// Pairs of homes that share a cell, scaled up from the sample: sees crowding that an average over
+/// the scene's box does not.
+double home_pairs_by_sample(const SceneStats& stats, const Grid& grid) {
+  CellCounter counter;
+  std::uint64_t pairs = 0;
+  for (const Sphere& s : stats.sample) {
+    pairs += counter.count_before(cell_id(grid, cell_of(grid, s.x, s.y, s.z)));
+  }
+  const double scale =
+      static_cast<double>(stats.facts.sphere_count) / static_cast<double>(stats.sample.size());
+  return static_cast<double>(pairs) * scale * scale;
+}
+
+double largest_extent(const PlanFacts& facts) {
+  double extent = 0.0;
+  for (int a = 0; a < 3; ++a) {
+    extent = std::max(extent, static_cast<double>(facts.highest[a]) - facts.lowest[a]);
+  }
+  return extent;
+}
+
+/// Cube root of the box's volume per sphere; an axis thinner than the spacing does not count.
+double mean_spacing(const PlanFacts& facts) {
+  double extent[3];
+  for (int a = 0; a < 3; ++a) extent[a] = static_cast<double>(facts.highest[a]) - facts.lowest[a];
+  std::sort(extent, extent + 3);
+  const auto count = static_cast<double>(facts.sphere_count);
+  const double volume_spacing = std::cbrt(extent[0] * extent[1] * extent[2] / count);
+  const double area_spacing = std::sqrt(extent[1] * extent[2] / count);
+  const double length_spacing = extent[2] / count;
+  if (extent[0] >= volume_spacing && volume_spacing > 0.0) return volume_spacing;
+  return extent[1] >= area_spacing && area_spacing > 0.0 ? area_spacing : length_spacing;
+}
+
+struct SideRange {
+  double smallest;
+  double largest;
+};
+
+SideRange sides_worth_trying(const SceneStats& stats) {
+  const PlanFacts& facts = stats.facts;
+  const double spacing = mean_spacing(facts);
+  if (facts.r_max == 0.0F) {
+    const double extent = largest_extent(facts);
+    return {std::max(extent * 0x1p-24, 0x1p-149), std::max(spacing, 0x1p-149)};
+  }
+  return {2.0 * facts.r_min_nonzero, std::max(12.0 * facts.r_max, spacing)};
+}
+
+}  // namespace
+
+WorkEstimate estimate_work(const SceneStats& stats, const Grid& grid) {
+  WorkEstimate work;
+  if (stats.facts.sphere_count == 0) return work;
+  const auto count = static_cast<double>(stats.facts.sphere_count);
+  work.ids = std::max(expected_ids(stats, grid), count);
+  const double spread = work.ids / count;
+  const double uniform = work.ids * work.ids / 2.0 / std::ldexp(1.0, grid.key_bits);
+  work.candidates = std::max(uniform, home_pairs_by_sample(stats, grid) * spread * spread);
+  const double passes = std::ceil(grid.key_bits / 8.0);
+  work.cost_ns =
+      work.ids * (kNsPerId + kNsPerIdAndPass * passes) + work.candidates * kNsPerCandidate;
+  return work;
+}
+
+Grid cheapest_grid(const SceneStats& stats) {
+  const SideRange range = sides_worth_trying(stats);
+  const double widest = widest_box(stats.facts, stats.facts.r_max);
+  const double step =
+      std::max(kStep, std::pow(range.largest / range.smallest, 1.0 / (kMaxSteps - 1)));
+  Grid best = make_grid(stats.facts, range.smallest, widest);
+  double best_cost = estimate_work(stats, best).cost_ns;
+  for (double side = range.smallest * step; side <= range.largest * step; side *= step) {
+    const Grid grid = make_grid(stats.facts, side, widest);
+    const double cost = estimate_work(stats, grid).cost_ns;
+    if (cost >= best_cost) continue;
+    best = grid;
+    best_cost = cost;
+  }
+  return best;
+}
+
+}  // namespace octocell

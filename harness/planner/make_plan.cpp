@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/interface/as_written.hpp"
+#include "harness/interface/chapter32.hpp"
+#include "harness/interface/error.hpp"
+#include "harness/planner/planner.hpp"
+
+namespace octocell {
+namespace {
+
+/// Positions in the sorted arrays are 32-bit numbers.
+constexpr std::uint64_t kMaxIds = 4294967295;
+
+/// Sound only while a rounding of p +- S is small beside r_max (docs/exactness.md, claim C).
+void require_chapter32(const PlanFacts& facts) {
+  const double ulp = farthest_ulp(facts, chapter32::reach(facts.r_max));
+  if (ulp <= facts.r_max / 2.0) return;
+  throw LimitError(fmt::format(
+      "rule chapter32 does not hold for this scene: float32 has steps of {} at its far end, more "
+      "than half the largest radius ({}), so a sphere may meet three cells on one axis; rule "
+      "lowest_cell has no such condition",
+      ulp, facts.r_max));
+}
+
+Grid choose_grid(const SceneStats& stats, const PlanOptions& options) {
+  const float r_max = stats.facts.r_max;
+  switch (options.rule) {
+    case Rule::lowest_cell:
+      if (!options.cell_side) return cheapest_grid(stats);
+      return make_grid(stats.facts, *options.cell_side, widest_box(stats.facts, r_max));
+    case Rule::chapter32:
+      if (r_max == 0.0F) return cheapest_grid(stats);  // no phantoms: any cells will do
+      require_chapter32(stats.facts);
+      return make_grid(stats.facts, chapter32::cell_side(r_max),
+                       widest_box(stats.facts, chapter32::reach(r_max)));
+    case Rule::as_written:
+      break;
+  }
+  Grid grid;  // its cells are as_written.hpp's own; the sort needs the key width
+  grid.key_bits = as_written::kIdBits;
+  grid.cell_side = as_written::cell_side(r_max);
+  return grid;
+}
+
+Band choose_band(const PlanFacts& facts) {
+  const bool in_range = facts.r_max == 0.0F ||
+                        (facts.r_min_nonzero >= kFastRadiusMin && facts.r_max <= kFastRadiusMax);
+  return in_range ? Band::fast : Band::safe;
+}
+
+std::uint64_t id_capacity(const SceneStats& stats, const Plan& plan) {
+  const double count = static_cast<double>(stats.facts.sphere_count);
+  if (plan.rule != Rule::lowest_cell) return 8 * stats.facts.sphere_count;
+  const double expected = estimate_work(stats, plan.grid).ids;
+  if (expected > static_cast<double>(kMaxIds)) {
+    throw LimitError(
+        fmt::format("cell side {:g}: the spheres would meet about {:g} cells, and {} "
+                    "are the limit; larger cells meet fewer",
+                    plan.grid.cell_side, expected, kMaxIds));
+  }
+  // A quarter more than expected: untouched pages cost nothing, a second run does.
+  const auto room = static_cast<std::uint64_t>(std::max(expected * 1.25, count)) + 64;
+  return std::min(room, kMaxIds);
+}
+
+/// Eight a sphere: enough for most scenes, and untouched where it is too much.
+std::uint64_t pair_capacity(std::uint64_t sphere_count, bool count_only) {
+  return count_only ? 0 : 8 * sphere_count + 64;
+}
+
+Capacities first_capacities(const SceneStats& stats, const Plan& plan) {
+  Capacities room;
+  if (plan.method == Method::home_phantom) {
+    room.ids = id_capacity(stats, plan);
+    room.cells = room.ids / 2 + 1;
+  }
+  room.pairs = pair_capacity(stats.facts.sphere_count, plan.count_only);
+  room.doubts = pair_capacity(stats.facts.sphere_count, false);
+  return room;
+}
+
+void check_options(const PlanOptions& options) {
+  if (!options.cell_side) return;
+  if (!(*options.cell_side > 0.0) || !std::isfinite(*options.cell_side)) {
+    throw InputError(fmt::format("cell side {}: must be positive and finite", *options.cell_side));
+  }
+  if (options.rule != Rule::lowest_cell) {
+    throw InputError(fmt::format("rule {} fixes its own cell side", name_of(options.rule)));
+  }
+}
+
+}  // namespace
+
+Plan plan_buffers(std::uint64_t sphere_count, const PlanOptions& options) {
+  Plan plan;
+  plan.threads = 1;
+  plan.count_only = options.count_only;
+  plan.candidate_limit = options.candidate_limit;
+  plan.facts.sphere_count = sphere_count;
+  plan.capacity.pairs = pair_capacity(sphere_count, options.count_only);
+  return plan;
+}
+
+Plan make_plan(const SceneStats& stats, const PlanOptions& options) {
+  check_options(options);
+  Plan plan;
+  plan.method = options.method;
+  plan.rule = options.rule;
+  plan.threads = std::max(options.threads, 1);
+  plan.count_only = options.count_only;
+  plan.candidate_limit = options.candidate_limit;
+  plan.facts = stats.facts;
+  plan.band = choose_band(stats.facts);
+  if (plan.method == Method::home_phantom && stats.facts.sphere_count > 0) {
+    plan.grid = choose_grid(stats, options);
+  }
+  plan.capacity = first_capacities(stats, plan);
+  return plan;
+}
+
+Plan grow(const Plan& plan, const Counts& found) {
+  if (found.ids > kMaxIds) {
+    throw LimitError(
+        fmt::format("the spheres meet {} cells, and {} are the limit", found.ids, kMaxIds));
+  }
+  Plan next = plan;
+  next.capacity.ids = std::max(plan.capacity.ids, found.ids);
+  next.capacity.cells = std::max({plan.capacity.cells, found.cells, next.capacity.ids / 2 + 1});
+  next.capacity.doubts = std::max(plan.capacity.doubts, found.doubts);
+  if (!plan.count_only) next.capacity.pairs = std::max(plan.capacity.pairs, found.pairs);
+  return next;
+}
+
+}  // namespace octocell

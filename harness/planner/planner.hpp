@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// From what is known of a scene to what to do with it. Pure host code that knows no backend.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "harness/interface/plan.hpp"
+#include "harness/planner/scene_stats.hpp"
+
+namespace octocell {
+
+/// What a caller may fix; the planner decides the rest.
+struct PlanOptions {
+  Method method = Method::home_phantom;
+  Rule rule = Rule::lowest_cell;
+  int threads = 1;
+  bool count_only = false;
+  std::uint64_t candidate_limit = ~std::uint64_t{0};
+  std::optional<double> cell_side = {};  // scene units; only rule lowest_cell is free to choose
+  bool buffers_only = false;             // for baselines, which make their own plans
+};
+
+/// Throws LimitError where the rule's conditions do not hold for this scene, with the reason, and
+/// InputError for a cell side that is not a positive finite number.
+Plan make_plan(const SceneStats& stats, const PlanOptions& options = {});
+
+/// For a baseline: the sizes of buffers, and nothing that takes a look at the spheres.
+Plan plan_buffers(std::uint64_t sphere_count, const PlanOptions& options);
+
+/// The next plan after a full buffer: every capacity at least what was found. Throws LimitError
+/// where that is more than positions of 32 bits can count.
+Plan grow(const Plan& plan, const Counts& found);
+
+/// One line per decision: what was seen, what was decided, why it is safe.
+std::string explain(const Plan& plan);
+
+/// The step of float32 at the far end of the scene's boxes p +- reach.
+double farthest_ulp(const PlanFacts& facts, float reach);
+
+/// The widest box [p - reach, p + reach] that can occur, its ends rounded to float32.
+double widest_box(const PlanFacts& facts, float reach);
+
+/// The finest grid over the box of centres whose cell side is at least `cell_side`, with ids below
+/// 2^31. Where a dense numbering would need more, axes wrap; a wrapped axis has a period of at
+/// least twice (`widest`, the width of what a sphere may cover, plus two cells), so that no two
+/// overlapping spheres meet in a cell that only shares its id with another.
+Grid make_grid(const PlanFacts& facts, double cell_side, double widest);
+
+/// Work that home_phantom with rule lowest_cell is expected to do on a grid.
+struct WorkEstimate {
+  double ids = 0.0;
+  double candidates = 0.0;
+  double cost_ns = 0.0;
+};
+WorkEstimate estimate_work(const SceneStats& stats, const Grid& grid);
+
+/// The grid with the least expected work for rule lowest_cell, which is correct for any cell side.
+Grid cheapest_grid(const SceneStats& stats);
+
+}  // namespace octocell

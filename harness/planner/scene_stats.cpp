@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "harness/planner/scene_stats.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "harness/interface/error.hpp"
+#include "harness/interface/pair.hpp"
+
+namespace octocell {
+namespace {
+
+constexpr std::size_t kSmallestSample = 64;  // planning must not outlast the work
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+/// Four lanes, x y z r; compilers keep each array in one register.
+struct Lanes {
+  float lowest[4] = {kInfinity, kInfinity, kInfinity, kInfinity};
+  float highest[4] = {-kInfinity, -kInfinity, -kInfinity, -kInfinity};
+  float taint[4] = {0, 0, 0, 0};  // turns NaN at the first value that is not finite
+
+  void add(const float (&value)[4], float radius_or_infinity) {
+    for (int a = 0; a < 4; ++a) {
+      highest[a] = value[a] > highest[a] ? value[a] : highest[a];
+      taint[a] += value[a] - value[a];
+    }
+    for (int a = 0; a < 3; ++a) lowest[a] = value[a] < lowest[a] ? value[a] : lowest[a];
+    lowest[3] = radius_or_infinity < lowest[3] ? radius_or_infinity : lowest[3];
+  }
+};
+
+bool is_valid(const Sphere& s) {
+  return std::isfinite(s.x) && std::isfinite(s.y) && std::isfinite(s.z) && std::isfinite(s.r) &&
+         s.r >= 0.0F;
+}
+
+std::vector<RadiusClass> classify_radii(SceneView scene, const PlanFacts& facts) {
+  const auto count = static_cast<std::uint64_t>(scene.spheres.size());
+  if (count == 0) return {};
+  if (facts.r_min_nonzero == facts.r_max) {
+    // Zeros, if any, are counted with the others: an upper bound, and exact in the common case.
+    return {{.count = count,
+             .radius_sum = static_cast<double>(facts.r_max) * static_cast<double>(count)}};
+  }
+  std::array<RadiusClass, 256> classes = {};
+  for (const Sphere& s : scene.spheres) {
+    RadiusClass& c = classes[std::bit_cast<std::uint32_t>(s.r) >> 23 & 0xffU];
+    ++c.count;
+    c.radius_sum += s.r;
+  }
+  std::vector<RadiusClass> found;
+  for (const RadiusClass& c : classes) {
+    if (c.count != 0) found.push_back(c);
+  }
+  return found;
+}
+
+/// Chosen by a hash, so that no order of the input (rows of a lattice) repeats in the sample.
+std::vector<Sphere> take_sample(SceneView scene) {
+  const std::span<const Sphere> spheres = scene.spheres;
+  const std::size_t size = std::clamp(spheres.size() / 16, kSmallestSample, kSampleSize);
+  if (spheres.size() <= size) return {spheres.begin(), spheres.end()};
+  std::vector<Sphere> sample;
+  sample.reserve(size);
+  for (std::uint32_t k = 0; k < size; ++k) {
+    sample.push_back(spheres[mix_pair({0, k}) % spheres.size()]);
+  }
+  return sample;
+}
+
+}  // namespace
+
+FactsPass measure_facts(std::span<const Sphere> spheres) {
+  Lanes lanes;
+  bool negative_radius = false;
+  for (const Sphere& s : spheres) {
+    negative_radius |= s.r < 0.0F;
+    lanes.add({s.x, s.y, s.z, s.r}, s.r == 0.0F ? kInfinity : s.r);
+  }
+  FactsPass pass;
+  pass.facts.sphere_count = spheres.size();
+  for (const float t : lanes.taint) pass.valid = pass.valid && t == 0.0F;
+  pass.valid = pass.valid && !negative_radius;
+  for (int a = 0; a < 3; ++a) {
+    pass.facts.lowest[a] = lanes.lowest[a];
+    pass.facts.highest[a] = lanes.highest[a];
+  }
+  pass.facts.r_max = spheres.empty() ? 0.0F : lanes.highest[3];
+  pass.facts.r_min_nonzero = lanes.lowest[3] == kInfinity ? 0.0F : lanes.lowest[3];
+  return pass;
+}
+
+FactsPass merge(const FactsPass& a, const FactsPass& b) {
+  FactsPass both = a;
+  both.valid = a.valid && b.valid;
+  PlanFacts& f = both.facts;
+  f.sphere_count += b.facts.sphere_count;
+  for (int axis = 0; axis < 3; ++axis) {
+    f.lowest[axis] = std::min(f.lowest[axis], b.facts.lowest[axis]);
+    f.highest[axis] = std::max(f.highest[axis], b.facts.highest[axis]);
+  }
+  f.r_max = std::max(f.r_max, b.facts.r_max);
+  const float other = b.facts.r_min_nonzero;
+  if (other != 0.0F && (f.r_min_nonzero == 0.0F || other < f.r_min_nonzero)) {
+    f.r_min_nonzero = other;
+  }
+  return both;
+}
+
+std::string describe_first_invalid(std::span<const Sphere> spheres) {
+  std::size_t i = 0;
+  while (i + 1 < spheres.size() && is_valid(spheres[i])) ++i;
+  const Sphere& s = spheres[i];
+  return fmt::format("sphere {}: x={} y={} z={} r={}; all four must be finite and r >= 0", i, s.x,
+                     s.y, s.z, s.r);
+}
+
+SceneStats measure(SceneView scene) {
+  if (scene.spheres.size() > kMaxSpheres) {
+    throw InputError(fmt::format("{} spheres; this implementation's limit is {}",
+                                 scene.spheres.size(), kMaxSpheres));
+  }
+  SceneStats stats;
+  if (scene.spheres.empty()) return stats;
+  const FactsPass pass = measure_facts(scene.spheres);
+  if (!pass.valid) throw InputError(describe_first_invalid(scene.spheres));
+  stats.facts = pass.facts;
+  stats.radii = classify_radii(scene, stats.facts);
+  stats.sample = take_sample(scene);
+  return stats;
+}
+
+}  // namespace octocell

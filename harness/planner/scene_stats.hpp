@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "harness/interface/plan.hpp"
+
+namespace octocell {
+
+/// The spheres whose radius has one float exponent: within a factor of two of each other.
+struct RadiusClass {
+  std::uint64_t count = 0;
+  double radius_sum = 0.0;
+  [[nodiscard]] double mean_radius() const {
+    return count == 0 ? 0.0 : radius_sum / static_cast<double>(count);
+  }
+};
+
+/// What the planner knows of a scene.
+struct SceneStats {
+  PlanFacts facts;
+  std::vector<RadiusClass> radii;  // the non-empty classes, smallest radius first
+  std::vector<Sphere> sample;      // a sixteenth, 64 to kSampleSize, chosen by a fixed hash
+};
+
+inline constexpr std::size_t kSampleSize = 1024;
+
+/// One pass over the spheres (two where radii differ).
+/// Throws InputError naming the first sphere that is not finite or has a negative radius.
+SceneStats measure(SceneView scene);
+
+/// The facts alone, of a part of a scene: stage 1 of the host backends is this, in parallel.
+/// A non-finite coordinate or a negative radius clears `valid`.
+struct FactsPass {
+  PlanFacts facts;
+  bool valid = true;
+};
+FactsPass measure_facts(std::span<const Sphere> spheres);
+/// The facts of two parts together.
+FactsPass merge(const FactsPass& a, const FactsPass& b);
+
+/// One line on what is wrong with the first invalid sphere; spheres must hold one.
+std::string describe_first_invalid(std::span<const Sphere> spheres);
+
+}  // namespace octocell

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "harness/reference/reference.hpp"
+
+namespace octocell::reference {
+
+std::vector<Pair> brute_force(std::span<const Sphere> spheres) {
+  std::vector<Pair> pairs;
+  const auto count = static_cast<std::uint32_t>(spheres.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    for (std::uint32_t j = i + 1; j < count; ++j) {
+      if (overlap(spheres[i], spheres[j])) pairs.push_back({i, j});
+    }
+  }
+  return pairs;
+}
+
+std::vector<Pair> exact_pairs(std::span<const Sphere> spheres) {
+  constexpr std::size_t kFewSpheres = 500;
+  return spheres.size() <= kFewSpheres ? brute_force(spheres) : box_tree(spheres);
+}
+
+}  // namespace octocell::reference

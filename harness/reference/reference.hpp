@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What is right: the exact pair set, by two methods that share no code with the backends.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "harness/interface/pair.hpp"
+#include "harness/interface/sphere.hpp"
+#include "harness/scenes/scenes.hpp"
+
+namespace octocell::reference {
+
+/// |p - q|^2 <= (r_p + r_q)^2 over the reals, for finite spheres with r >= 0:
+/// float64 where it is certain by a wide margin, else integers (GMP) in units of 2^-149.
+bool overlap(const Sphere& a, const Sphere& b);
+
+/// The same for float64 spheres, as a file may hold them before they are rounded.
+bool overlap(const DoubleSphere& a, const DoubleSphere& b);
+
+/// Every pair tested: O(n^2). Sorted, i < j.
+std::vector<Pair> brute_force(std::span<const Sphere> spheres);
+
+/// A tree of float64 boxes, split at medians, joined with itself: for large scenes. Sorted, i < j.
+std::vector<Pair> box_tree(std::span<const Sphere> spheres);
+std::vector<Pair> box_tree(std::span<const DoubleSphere> spheres);
+
+/// The exact pair set by the method that suits the size.
+std::vector<Pair> exact_pairs(std::span<const Sphere> spheres);
+
+/// How an answer differs from the truth.
+struct Comparison {
+  std::uint64_t missed = 0;       // in the truth, not in the answer
+  std::uint64_t false_pairs = 0;  // in the answer, not in the truth
+  std::uint64_t duplicates = 0;   // reported again
+  [[nodiscard]] bool exact() const { return missed == 0 && false_pairs == 0 && duplicates == 0; }
+};
+
+/// Both sorted; the truth without duplicates.
+Comparison compare(std::span<const Pair> answer, std::span<const Pair> truth);
+
+}  // namespace octocell::reference

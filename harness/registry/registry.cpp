@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "harness/registry/registry.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "baselines/baselines.hpp"
+#include "harness/interface/error.hpp"
+#include "impl_cpu/backend.hpp"
+
+namespace octocell {
+namespace {
+
+constexpr std::array kAllMethods = {Method::home_phantom, Method::brute_force};
+
+std::optional<std::string> always_available() { return std::nullopt; }
+
+constexpr BackendInfo baseline(std::string_view name, std::string_view summary,
+                               std::unique_ptr<PairFinder> (*create)()) {
+  return {.name = name,
+          .kind = Kind::baseline,
+          .summary = summary,
+          .methods = {},
+          .threaded = false,
+          .why_unavailable = always_available,
+          .create = create};
+}
+
+constexpr std::array kBackends = {
+    BackendInfo{.name = "impl_cpu",
+                .kind = Kind::backend,
+                .summary = "uniform grid and radix sort on CPU threads",
+                .methods = kAllMethods,
+                .threaded = true,
+                .why_unavailable = always_available,
+                .create = cpu::make_backend},
+    baseline("fcl_dynamic_aabb_tree", "FCL DynamicAABBTree, as it comes",
+             baselines::make_fcl_dynamic_aabb_tree),
+    baseline("fcl_dynamic_aabb_tree_morton", "FCL DynamicAABBTree, tree_init_level = 1",
+             baselines::make_fcl_dynamic_aabb_tree_morton),
+    baseline("fcl_dynamic_aabb_tree_array", "FCL DynamicAABBTree_Array, as it comes",
+             baselines::make_fcl_dynamic_aabb_tree_array),
+    baseline("fcl_dynamic_aabb_tree_array_morton", "FCL DynamicAABBTree_Array, tree_init_level = 1",
+             baselines::make_fcl_dynamic_aabb_tree_array_morton),
+    baseline("bullet_dbvt_broadphase", "Bullet btDbvtBroadphase, as it comes",
+             baselines::make_bullet_dbvt_broadphase),
+    baseline("bullet_dbvt_broadphase_deferred", "Bullet btDbvtBroadphase, m_deferedcollide",
+             baselines::make_bullet_dbvt_broadphase_deferred),
+    baseline("bullet_dbvt", "Bullet's bare btDbvt tree, joined with itself",
+             baselines::make_bullet_dbvt),
+};
+
+}  // namespace
+
+std::span<const BackendInfo> backends() { return kBackends; }
+
+const BackendInfo& backend_named(std::string_view name) {
+  const auto found = std::ranges::find(kBackends, name, &BackendInfo::name);
+  if (found != kBackends.end()) return *found;
+  std::vector<std::string_view> names;
+  for (const BackendInfo& b : kBackends) names.push_back(b.name);
+  throw InputError(fmt::format("unknown backend '{}'; known: {}", name, fmt::join(names, ", ")));
+}
+
+PlanOptions Implementation::plan_options(int threads) const {
+  return {.method = method, .rule = rule, .threads = threads, .buffers_only = is_baseline()};
+}
+
+std::string Implementation::label() const {
+  if (is_baseline()) return std::string(backend->name);
+  if (!has_rule()) return fmt::format("{} {}", backend->name, name_of(method));
+  return fmt::format("{} {} {}", backend->name, name_of(method), name_of(rule));
+}
+
+std::vector<Implementation> implementations(std::string_view backend) {
+  std::vector<Implementation> list;
+  if (backend != "all") backend_named(backend);  // an unknown name is an error
+  for (const BackendInfo& b : kBackends) {
+    if (backend != "all" && backend != b.name) continue;
+    if (b.kind == Kind::baseline) list.push_back({.backend = &b});
+    for (const Method method : b.methods) {
+      if (method != Method::home_phantom) {
+        list.push_back({.backend = &b, .method = method});
+        continue;
+      }
+      for (const Rule rule : {Rule::lowest_cell, Rule::chapter32, Rule::as_written}) {
+        list.push_back({.backend = &b, .method = method, .rule = rule});
+      }
+    }
+  }
+  return list;
+}
+
+}  // namespace octocell

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The one list of everything that can answer: our backends and the baselines.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/interface/backend.hpp"
+#include "harness/planner/planner.hpp"
+
+namespace octocell {
+
+enum class Kind : std::uint8_t { backend, baseline };
+
+struct BackendInfo {
+  std::string_view name;  // of a backend: its folder's; of a baseline: library, class, tuning
+  Kind kind;
+  std::string_view summary;         // one line, for people
+  std::span<const Method> methods;  // empty for baselines: they have their own
+  bool threaded;                    // false: one thread whatever the plan says
+  /// Nothing if it can run here, else why not.
+  std::optional<std::string> (*why_unavailable)();
+  std::unique_ptr<PairFinder> (*create)();
+};
+
+/// Backends first, then baselines; the order of every table and plot.
+std::span<const BackendInfo> backends();
+
+/// The entry of that name. Throws InputError listing the known names.
+const BackendInfo& backend_named(std::string_view name);
+
+/// One way to answer: a row of every table.
+struct Implementation {
+  const BackendInfo* backend;
+  Method method = Method::home_phantom;  // of our backends
+  Rule rule = Rule::lowest_cell;         // of method home_phantom
+
+  [[nodiscard]] bool is_baseline() const { return backend->kind == Kind::baseline; }
+  [[nodiscard]] bool has_rule() const { return !is_baseline() && method == Method::home_phantom; }
+  /// Kept because it is wrong: its losses are the lesson, and no row of it counts as a failure.
+  [[nodiscard]] bool exhibit() const { return has_rule() && rule == Rule::as_written; }
+  /// What the planner is told of it.
+  [[nodiscard]] PlanOptions plan_options(int threads = 1) const;
+  /// "impl_cpu home_phantom lowest_cell"
+  [[nodiscard]] std::string label() const;
+};
+
+/// All of them, or those of one backend ("all" or a name).
+std::vector<Implementation> implementations(std::string_view backend = "all");
+
+}  // namespace octocell

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Most spheres in bell-shaped clouds around a few centres, the rest spread over the box: cells
+// hold very different numbers of spheres.
+#include "harness/scenes/families.hpp"
+
+namespace octocell::families {
+namespace {
+
+/// The standard deviation that gives a cloud of `count` spheres the volume fraction `peak` at its
+/// centre, where the density of a normal distribution is count / ((2 pi)^(3/2) width^3).
+double cloud_width(double count, double peak) {
+  const double two_pi = 2.0 * std::numbers::pi;
+  return cube_root(count * sphere_volume(kRadius) / (peak * two_pi * std::sqrt(two_pi)));
+}
+
+}  // namespace
+
+std::vector<Sphere> cluster(const Parameters& parameters) {
+  std::vector<Sphere> spheres(parameters.whole("n"));
+  const double side = box_side(spheres.size(), parameters.real("phi"));
+  const double share = parameters.real("share");
+  const auto in_clouds = share * static_cast<double>(spheres.size());
+  std::vector<Sphere> centres(parameters.whole("clusters"));
+  const double width =
+      cloud_width(in_clouds / static_cast<double>(centres.size()), parameters.real("peak"));
+
+  Random random(parameters.whole("seed"));
+  for (Sphere& centre : centres) {
+    centre.x = coordinate_in_box(random, side);
+    centre.y = coordinate_in_box(random, side);
+    centre.z = coordinate_in_box(random, side);
+  }
+  for (Sphere& s : spheres) {
+    s.r = static_cast<float>(kRadius);
+    if (random.uniform() < share) {
+      const Sphere& centre = centres[random.below(centres.size())];
+      s.x = static_cast<float>(centre.x + width * random.bell());
+      s.y = static_cast<float>(centre.y + width * random.bell());
+      s.z = static_cast<float>(centre.z + width * random.bell());
+      continue;
+    }
+    s.x = coordinate_in_box(random, side);
+    s.y = coordinate_in_box(random, side);
+    s.z = coordinate_in_box(random, side);
+  }
+  return spheres;
+}
+
+}  // namespace octocell::families

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// A flat scene (z = 0) with radii that follow a power law: many small, few large.
+#include "harness/scenes/families.hpp"
+
+namespace octocell::families {
+
+std::vector<Sphere> discs(const Parameters& parameters) {
+  std::vector<Sphere> spheres(parameters.whole("n"));
+  const double ratio = parameters.real("ratio");
+  const double smallest = kRadius / ratio;
+  // For a density like r^-3 the distribution function is inverted with one square root.
+  const double span = 1.0 - 1.0 / (ratio * ratio);
+  Random random(parameters.whole("seed"));
+  double area = 0.0;
+  for (Sphere& s : spheres) {
+    const double r = smallest / std::sqrt(1.0 - random.uniform() * span);
+    area += std::numbers::pi * r * r;
+    s.r = static_cast<float>(r);
+  }
+  const double side = std::sqrt(area / parameters.real("phi"));
+  for (Sphere& s : spheres) {
+    s.x = coordinate_in_box(random, side);
+    s.y = coordinate_in_box(random, side);
+    s.z = 0.0F;
+  }
+  return spheres;
+}
+
+}  // namespace octocell::families

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// A gas, one sphere of which is huge and sits in the middle of the box: cells made to its measure
+// would hold most of the others.
+#include "harness/scenes/families.hpp"
+
+namespace octocell::families {
+
+std::vector<Sphere> giant(const Parameters& parameters) {
+  std::vector<Sphere> spheres = gas(parameters);
+  if (spheres.empty()) return spheres;
+  const double side = box_side(spheres.size(), parameters.real("phi"));
+  // Neither the first nor the last, so that no loop meets it by luck of order.
+  spheres[spheres.size() / 2] = {0.0F, 0.0F, 0.0F,
+                                 static_cast<float>(parameters.real("size") * side)};
+  return spheres;
+}
+
+}  // namespace octocell::families

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// A cubic lattice of spheres that touch their neighbours exactly, if the spacing is a short
+// binary number such as 1 or 0.25. With 0.1 the contacts are off by a rounding, either way.
+#include <utility>
+
+#include "harness/scenes/families.hpp"
+
+namespace octocell::families {
+namespace {
+
+/// The lowest s with s^3 >= count.
+std::size_t cube_side(std::size_t count) {
+  std::size_t side = 0;
+  while (side * side * side < count) ++side;
+  return side;
+}
+
+void shuffle(std::vector<Sphere>& spheres, Random random) {
+  for (std::size_t left = spheres.size(); left > 1; --left) {
+    std::swap(spheres[left - 1], spheres[random.below(left)]);
+  }
+}
+
+}  // namespace
+
+std::vector<Sphere> lattice(const Parameters& parameters) {
+  std::vector<Sphere> spheres(parameters.whole("n"));
+  const double spacing = parameters.real("spacing");
+  const std::size_t side = cube_side(spheres.size());
+  const auto middle = static_cast<double>(side / 2);
+  const auto coordinate = [&](std::size_t step) {
+    return static_cast<float>((static_cast<double>(step) - middle) * spacing);
+  };
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    spheres[i].x = coordinate(i % side);
+    spheres[i].y = coordinate(i / side % side);
+    spheres[i].z = coordinate(i / side / side);
+    spheres[i].r = static_cast<float>(spacing * 0.5);
+  }
+  if (parameters.whole("shuffle") == 1) shuffle(spheres, Random(parameters.whole("seed")));
+  return spheres;
+}
+
+}  // namespace octocell::families

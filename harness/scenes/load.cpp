@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <new>
+
+#include "harness/interface/error.hpp"
+#include "harness/scenes/load_formats.hpp"
+#include "harness/scenes/scenes.hpp"
+#include "harness/scenes/text.hpp"
+
+namespace octocell {
+namespace {
+
+std::string extension_of(const std::string& path) {
+  return lower_case(std::filesystem::path(path).extension().string());
+}
+
+bool is_known(std::string_view extension) {
+  return extension == ".npy" || extension == ".csv" || extension == ".pqr";
+}
+
+void load_by_extension(InputFile& file, const LoadOptions& options, Scene& scene) {
+  const std::string extension = extension_of(file.path());
+  if (extension == ".npy") return load_npy(file, options, scene);
+  if (extension == ".csv") {
+    scene.spheres = load_csv(file);
+    return;
+  }
+  if (extension == ".pqr") {
+    scene.spheres = load_pqr(file);
+    return;
+  }
+  file.refuse(fmt::format("extension {}, expected .npy, .csv or .pqr", quote(extension)));
+}
+
+bool is_generator(std::string_view spec) {
+  const std::string_view name = spec.substr(0, spec.find(':'));
+  const auto all = scenes();
+  return std::any_of(all.begin(), all.end(),
+                     [&](const SceneInfo& scene) { return scene.name == name; });
+}
+
+bool names_a_file(const std::string& argument) {
+  if (argument.find('/') != std::string::npos || is_known(extension_of(argument))) return true;
+  std::error_code ignored;
+  return !is_generator(argument) && std::filesystem::exists(argument, ignored);
+}
+
+}  // namespace
+
+Scene load_scene(const std::string& path, const LoadOptions& options) {
+  InputFile file(path);
+  Scene scene;
+  scene.name = std::filesystem::path(path).stem().string();
+  scene.spec = path;
+  try {
+    load_by_extension(file, options, scene);
+  } catch (const std::bad_alloc&) {
+    throw LimitError(fmt::format("{}: not enough memory for its {} bytes", path, file.size()));
+  }
+  return scene;
+}
+
+Scene load_or_generate(std::string_view scene_argument, const LoadOptions& options) {
+  const std::string argument(scene_argument);
+  return names_a_file(argument) ? load_scene(argument, options) : generate(argument);
+}
+
+}  // namespace octocell

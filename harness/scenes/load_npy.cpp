@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// NPY: an array of shape (n, 4), columns x, y, z, r.
+#include <fmt/format.h>
+
+#include <bit>
+
+#include "harness/scenes/load_formats.hpp"
+#include "harness/scenes/npy_header.hpp"
+#include "harness/scenes/text.hpp"
+#include "harness/scenes/validate.hpp"
+
+namespace octocell {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "rows are read as they lie in the file");
+constexpr std::string_view kFloat32 = "<f4";
+constexpr std::string_view kFloat64 = "<f8";
+
+void check_type(const InputFile& file, const NpyHeader& header, const LoadOptions& options) {
+  if (header.descr == kFloat32 || (header.descr == kFloat64 && options.round_input)) return;
+  std::string_view hint;
+  if (header.descr == kFloat64) hint = "; --round-input rounds float64 to it";
+  if (header.descr.starts_with('>')) hint = "; this file is big-endian";
+  file.refuse(fmt::format("numbers of type {}, expected '{}' (float32){}", quote(header.descr),
+                          kFloat32, hint));
+}
+
+void check_layout(const InputFile& file, const NpyHeader& header) {
+  if (header.shape.size() != 2 || header.shape[1] != 4) {
+    file.refuse(fmt::format("shape {}, expected (n, 4): x, y, z, r", header.shape_text()));
+  }
+  if (header.shape[0] > kMaxSpheres) {
+    file.refuse(fmt::format("{} spheres (at most {})", header.shape[0], kMaxSpheres));
+  }
+  if (header.fortran_order) {
+    file.refuse("Fortran order, expected C order (save numpy.ascontiguousarray of it)");
+  }
+}
+
+template <class AnySphere>
+std::vector<AnySphere> read_rows(InputFile& file, const NpyHeader& header) {
+  const std::uint64_t needed = header.data_offset + header.shape[0] * sizeof(AnySphere);
+  if (file.size() != needed) {
+    file.refuse(fmt::format("{}: shape {} needs {} bytes, the file has {}",
+                            file.size() < needed ? "truncated" : "too long", header.shape_text(),
+                            needed, file.size()));
+  }
+  std::vector<AnySphere> rows(header.shape[0]);
+  file.read(std::as_writable_bytes(std::span(rows)));
+  validate(std::span<const AnySphere>(rows), file.path());
+  return rows;
+}
+
+Sphere rounded(const DoubleSphere& s) {
+  return {static_cast<float>(s.x), static_cast<float>(s.y), static_cast<float>(s.z),
+          static_cast<float>(s.r)};
+}
+
+}  // namespace
+
+void load_npy(InputFile& file, const LoadOptions& options, Scene& scene) {
+  const NpyHeader header = read_npy_header(file);
+  check_type(file, header, options);
+  check_layout(file, header);
+  if (header.descr == kFloat32) {
+    scene.spheres = read_rows<Sphere>(file, header);
+    return;
+  }
+  scene.unrounded = read_rows<DoubleSphere>(file, header);
+  scene.spheres.reserve(scene.unrounded->size());
+  for (const DoubleSphere& s : *scene.unrounded) scene.spheres.push_back(rounded(s));
+}
+
+}  // namespace octocell

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The header of NumPy's file format (numpy.lib.format, versions 1.0 to 3.0): magic, version,
+// length, and a Python dictionary as text.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/scenes/input_file.hpp"
+
+namespace octocell {
+
+struct NpyHeader {
+  std::string descr;                 // "<f4": little-endian float32
+  bool fortran_order = false;        // columns first
+  std::vector<std::uint64_t> shape;  // rows, columns, ...
+  std::size_t data_offset = 0;       // [bytes] where the numbers begin
+
+  [[nodiscard]] std::string shape_text() const;  // "(10, 4)"
+};
+
+/// Reads up to the first number. Throws InputError: what was found, and what was expected.
+NpyHeader read_npy_header(InputFile& file);
+
+/// The bytes before the numbers of a table in C order.
+std::string npy_header_bytes(std::string_view descr, std::size_t rows, std::size_t columns);
+
+}  // namespace octocell

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The text after a generator's name: `n=1e5,seed=7`.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/scenes/scenes.hpp"
+
+namespace octocell {
+
+/// Every parameter of one generator with its value.
+class Parameters {
+ public:
+  /// All at their presets.
+  explicit Parameters(const SceneInfo& scene);
+  /// Throws InputError if a parameter is unknown, given twice, not a number or out of range.
+  Parameters(const SceneInfo& scene, std::string_view text);
+
+  /// `name` is in the generator's table.
+  [[nodiscard]] double real(std::string_view name) const;
+  [[nodiscard]] std::uint64_t whole(std::string_view name) const;
+
+  /// `name=value,...` with all values; parsing it gives the same values.
+  [[nodiscard]] std::string spelt_out() const;
+
+ private:
+  void assign(const SceneInfo& scene, std::string_view assignment, std::vector<bool>& given);
+
+  std::span<const ParameterInfo> infos_;
+  std::vector<double> values_;  // [infos_.size()]
+};
+
+}  // namespace octocell

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Where spheres come from: a generator ("gas:n=1e5,seed=7") or a file (.npy, .csv, .pqr).
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/interface/sphere.hpp"
+
+namespace octocell {
+
+/// A sphere as a float64 file holds it.
+struct DoubleSphere {
+  double x;
+  double y;
+  double z;
+  double r;
+};
+
+struct Scene {
+  std::string name;  // of the generator, or the file's name without folder and extension
+  std::string spec;  // gives the same scene again: every parameter spelt out, or the file's path
+  std::vector<Sphere> spheres;
+  /// What the file held before it was rounded to float32; only after LoadOptions::round_input.
+  std::optional<std::vector<DoubleSphere>> unrounded;
+
+  [[nodiscard]] SceneView view() const { return {spheres}; }
+};
+
+struct LoadOptions {
+  bool round_input = false;  // accept float64 arrays and round them to float32, to nearest even
+};
+
+/// A generator's parameter. Values outside [lowest, highest] are refused.
+struct ParameterInfo {
+  enum class Kind : bool { real, whole };
+  std::string_view name;
+  std::string_view summary;
+  double preset;
+  double lowest;
+  double highest;
+  Kind kind;
+};
+
+class Parameters;
+
+struct SceneInfo {
+  std::string_view name;
+  std::string_view summary;
+  std::span<const ParameterInfo> parameters;
+  std::vector<Sphere> (*make)(const Parameters&);
+};
+
+/// The one table of generators.
+std::span<const SceneInfo> scenes();
+
+/// `spec` is `name` or `name:parameter=value,...`. The same spec gives the same bits on every
+/// machine, with every compiler and every flag (but not with -ffast-math, which is refused).
+/// Throws InputError (says what is known) and LimitError (not enough memory).
+Scene generate(std::string_view spec);
+
+/// Reads .npy, .csv or .pqr, whichever the path's extension says. All spheres are valid.
+/// Throws InputError with the path and, where there is one, the line or the sphere.
+Scene load_scene(const std::string& path, const LoadOptions& options = {});
+
+/// An argument with a '/', or with a known extension, or that names a file, is a file; but the
+/// name of a generator always means the generator (./gas means the file). Throws as both above.
+Scene load_or_generate(std::string_view scene_argument, const LoadOptions& options = {});
+
+}  // namespace octocell

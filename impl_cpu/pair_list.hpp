@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "harness/interface/pair.hpp"
+#include "impl_cpu/shared_list.hpp"
+
+namespace octocell::cpu {
+
+/// Pairs found: stored or, in a count_only plan, counted and summed.
+class PairList {
+ public:
+  void allocate(std::uint64_t capacity) { stored_.allocate(capacity); }
+  void clear(bool count_only) {
+    count_only_ = count_only;
+    stored_.clear();
+    count_.store(0, std::memory_order_relaxed);
+    checksum_.store(0, std::memory_order_relaxed);
+  }
+
+  void append(std::span<const Pair> pairs) {
+    if (!count_only_) return stored_.append(pairs);
+    const PairDigest digest = digest_of(pairs);
+    count_.fetch_add(digest.count, std::memory_order_relaxed);
+    checksum_.fetch_add(digest.checksum, std::memory_order_relaxed);
+  }
+
+  [[nodiscard]] std::uint64_t size() const {
+    return count_only_ ? count_.load(std::memory_order_relaxed) : stored_.size();
+  }
+  [[nodiscard]] std::span<const Pair> items() const { return stored_.items(); }
+  [[nodiscard]] PairDigest digest() const {
+    if (!count_only_) return digest_of(stored_.items());
+    return {size(), checksum_.load(std::memory_order_relaxed)};
+  }
+
+ private:
+  bool count_only_ = false;
+  SharedList<Pair> stored_;
+  std::atomic<std::uint64_t> count_ = 0;
+  std::atomic<std::uint64_t> checksum_ = 0;
+};
+
+/// One thread's way into a list of pairs: 8 KiB at a time.
+using PairWriter = ListWriter<Pair, 1024, PairList>;
+using DoubtWriter = ListWriter<Pair, 1024>;
+
+}  // namespace octocell::cpu

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The three phases of GPU Gems 3, chapter 32, on threads instead of thread groups:
+// tabulate how often each digit occurs in each part, sum, and reorder.
+#include "impl_cpu/radix_sort.hpp"
+
+#include <array>
+#include <vector>
+
+namespace octocell::cpu {
+namespace {
+
+constexpr int kDigitBits = 8;
+constexpr std::size_t kDigits = 1 << kDigitBits;
+constexpr int kMaxParts = 64;
+
+/// Per part of the input and digit: first a count, then where that part's next such key goes.
+using Counters = std::array<std::array<std::uint32_t, kDigits>, kMaxParts>;
+
+std::size_t digit(std::uint32_t key, int shift) { return key >> shift & (kDigits - 1); }
+
+struct Part {
+  std::size_t begin;
+  std::size_t end;
+};
+Part part_of(std::size_t size, int part, int parts) {
+  const auto p = static_cast<std::size_t>(part);
+  return {size * p / static_cast<std::size_t>(parts),
+          size * (p + 1) / static_cast<std::size_t>(parts)};
+}
+
+void tabulate(std::span<const std::uint32_t> keys, int shift,
+              std::array<std::uint32_t, kDigits>& counts) {
+  counts.fill(0);
+  for (const std::uint32_t key : keys) ++counts[digit(key, shift)];
+}
+
+/// Counts become first positions: all parts' zeros, then all parts' ones, and so on, which keeps
+/// equal keys in their order.
+void prefix_sum(Counters& counters, int parts) {
+  std::uint32_t position = 0;
+  for (std::size_t d = 0; d < kDigits; ++d) {
+    for (int p = 0; p < parts; ++p) {
+      const std::uint32_t count = counters[p][d];
+      counters[p][d] = position;
+      position += count;
+    }
+  }
+}
+
+void reorder(const KeysAndValues& from, const KeysAndValues& to, Part part, int shift,
+             std::array<std::uint32_t, kDigits>& positions) {
+  for (std::size_t i = part.begin; i < part.end; ++i) {
+    const std::uint32_t position = positions[digit(from.keys[i], shift)]++;
+    to.keys[position] = from.keys[i];
+    to.values[position] = from.values[i];
+  }
+}
+
+}  // namespace
+
+int radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, Threads& threads) {
+  const std::size_t size = front.keys.size();
+  const int parts = std::min(threads.count(), kMaxParts);
+  static thread_local Counters counters;  // 64 KiB, off the stack
+  Counters& shared = counters;
+  const auto for_parts = [&](auto&& work) {
+    threads.run([&](int t) {
+      if (t < parts) work(t, part_of(size, t, parts));
+    });
+  };
+  int current = 0;
+  for (int shift = 0; shift < key_bits; shift += kDigitBits) {
+    const KeysAndValues& from = current == 0 ? front : back;
+    const KeysAndValues& to = current == 0 ? back : front;
+    for_parts([&](int p, Part part) {
+      tabulate(from.keys.subspan(part.begin, part.end - part.begin), shift, shared[p]);
+    });
+    prefix_sum(shared, parts);
+    for_parts([&](int p, Part part) { reorder(from, to, part, shift, shared[p]); });
+    current ^= 1;
+  }
+  return current;
+}
+
+}  // namespace octocell::cpu

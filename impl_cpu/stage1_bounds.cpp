@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Stage 1, bounds: does the scene still look as the plan takes for granted?
+// Reads spheres. Writes a violation, or nothing.
+// Cost: one pass, 16 bytes a sphere.
+// Idea: the plan's proofs rest on a few facts; checking them is one reduction, trusting them none.
+#include <mutex>
+
+#include "harness/planner/scene_stats.hpp"
+#include "impl_cpu/stages.hpp"
+
+namespace octocell::cpu {
+namespace {
+
+constexpr std::uint64_t kBlock = 1 << 16;
+
+bool within(const PlanFacts& seen, const PlanFacts& planned) {
+  bool inside = seen.sphere_count == planned.sphere_count && seen.r_max <= planned.r_max;
+  for (int a = 0; a < 3; ++a) {
+    inside = inside && seen.lowest[a] >= planned.lowest[a] && seen.highest[a] <= planned.highest[a];
+  }
+  const bool has_radius = seen.r_min_nonzero != 0.0F;
+  return inside && (!has_radius || seen.r_min_nonzero >= planned.r_min_nonzero);
+}
+
+}  // namespace
+
+void bounds(Workspace& w) {
+  w.violation.reset();
+  w.candidates = 0;
+  const std::span<const Sphere> spheres = w.scene.spheres;
+  if (spheres.empty()) return;
+
+  std::mutex merging;
+  std::optional<FactsPass> seen;
+  w.threads->for_blocks(spheres.size(), kBlock, [&](std::uint64_t begin, std::uint64_t end) {
+    const FactsPass part = measure_facts(spheres.subspan(begin, end - begin));
+    const std::scoped_lock lock(merging);
+    seen = seen ? merge(*seen, part) : part;
+  });
+  if (!seen->valid) {
+    w.violation = describe_first_invalid(spheres);
+  } else if (!within(seen->facts, w.plan.facts)) {
+    w.violation = "the spheres have left the box or the range of radii that the plan rests on";
+  }
+}
+
+}  // namespace octocell::cpu

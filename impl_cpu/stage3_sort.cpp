@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Stage 3, sort: bring equal cell ids together.
+// Reads and writes cell ids with their objects, grouped by cell, homes before phantoms.
+// Cost: 20 bytes an id and pass; ceil(key_bits / 8) passes.
+// Idea: only the bits that ids of this grid can have are sorted.
+#include "impl_cpu/radix_sort.hpp"
+#include "impl_cpu/stages.hpp"
+
+namespace octocell::cpu {
+namespace {
+
+KeysAndValues used_part(const IdArrays& ids, std::uint64_t count) {
+  return {{ids.cell_ids.data(), count}, {ids.objects.data(), count}};
+}
+
+}  // namespace
+
+void sort(Workspace& w) {
+  if (w.violation || !w.ids_complete()) return;
+  w.current = radix_sort(used_part(w.ids[0], w.id_count), used_part(w.ids[1], w.id_count),
+                         w.plan.grid.key_bits, *w.threads);
+}
+
+}  // namespace octocell::cpu

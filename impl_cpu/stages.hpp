@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// The six stages of impl_cpu, and what they hand on.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "harness/interface/chapter32.hpp"
+#include "harness/interface/plan.hpp"
+#include "impl_cpu/pair_list.hpp"
+#include "impl_cpu/shared_list.hpp"
+#include "impl_cpu/threads.hpp"
+
+namespace octocell::cpu {
+
+/// The sorted value: a sphere's id with four control bits above it.
+///   bit 31      this cell is a phantom cell of the sphere
+///   bits 28-30  per axis (x, y, z): this cell is the lowest one that the sphere meets
+using Object = std::uint32_t;
+inline constexpr int kLowestShift = 28;
+inline constexpr Object kIdMask = (1U << kLowestShift) - 1;
+inline constexpr Object kLowestMask = 7U << kLowestShift;
+inline constexpr Object kPhantom = 1U << 31;
+static_assert(kMaxSpheres == kIdMask + 1ULL);
+
+/// Stage 5 works on tiles of this many spheres; cells with more are shared out among the threads.
+inline constexpr std::size_t kTileSpheres = 1024;
+
+/// A run of the sorted arrays: one cell's homes, then its phantoms.
+struct CellEntry {
+  std::uint32_t begin;
+  std::uint32_t homes;
+  std::uint32_t phantoms;
+};
+
+/// Cell ids with their objects. Sorting moves them between two of these.
+struct IdArrays {
+  Buffer<std::uint32_t> cell_ids;
+  Buffer<Object> objects;
+  void allocate(std::uint64_t capacity) {
+    cell_ids.allocate(capacity);
+    objects.allocate(capacity);
+  }
+};
+
+/// Everything the stages share. Sized by the plan in upload(); the stages allocate nothing.
+struct Workspace {
+  Plan plan;
+  SceneView scene;
+  std::unique_ptr<Threads> threads;
+
+  IdArrays ids[2];                              // [plan.capacity.ids]
+  int current = 0;                              // which of the two holds the ids now
+  std::uint64_t id_count = 0;                   // ids needed; more than the capacity: none is valid
+  Buffer<chapter32::ControlBits> control_bits;  // [spheres], rule chapter32 only
+  SharedList<CellEntry> cells;
+  SharedList<std::uint32_t> crowded_cells;  // indices into cells: too large for one tile
+  SharedList<Pair> doubts;
+  PairList pairs;
+
+  std::uint64_t candidates = 0;
+  std::optional<std::string> violation;
+
+  [[nodiscard]] bool ids_complete() const { return id_count <= ids[0].cell_ids.capacity(); }
+  /// Whether later stages have something sound to work on.
+  [[nodiscard]] bool may_test_pairs() const {
+    return !violation && ids_complete() && cells.complete() && candidates <= plan.candidate_limit;
+  }
+};
+
+void bounds(Workspace& w);
+void cell_ids(Workspace& w);
+void sort(Workspace& w);
+void cell_index(Workspace& w);
+void pair_tests(Workspace& w);
+void resolve(Workspace& w);
+
+}  // namespace octocell::cpu

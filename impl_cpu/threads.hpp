@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace octocell::cpu {
+
+/// A fixed set of threads, the caller's among them (a Boost.Asio pool holds the others).
+class Threads {
+ public:
+  explicit Threads(int count);
+  ~Threads();
+  Threads(const Threads&) = delete;
+  Threads& operator=(const Threads&) = delete;
+
+  [[nodiscard]] int count() const { return count_; }
+
+  /// Calls task(t) for every t in [0, count()), at once; returns when all are done.
+  void run(const std::function<void(int)>& task);
+
+  /// Splits [0, size) into blocks of `block` and hands each to the next idle thread as
+  /// work(begin, end).
+  template <typename Work>
+  void for_blocks(std::uint64_t size, std::uint64_t block, const Work& work) {
+    std::atomic<std::uint64_t> next = 0;
+    const auto take_blocks = [&](int) {
+      for (;;) {
+        const std::uint64_t begin = next.fetch_add(block, std::memory_order_relaxed);
+        if (begin >= size) return;
+        work(begin, std::min(begin + block, size));
+      }
+    };
+    if (size <= block) return take_blocks(0);
+    run(take_blocks);
+  }
+
+ private:
+  struct Pool;
+  int count_;
+  std::unique_ptr<Pool> pool_;  // none for one thread
+};
+
+}  // namespace octocell::cpu

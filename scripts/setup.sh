@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Installs what is missing and nothing else: run again, or without a network, it does nothing.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+packages=(
+  g++ cmake ninja-build ccache pkg-config git
+  libbenchmark-dev libgtest-dev libfmt-dev nlohmann-json3-dev libcli11-dev  # the harness
+  libboost-dev    # Asio's thread pool (headers)
+  libgmp-dev      # the exact reference
+  libfcl-dev libbullet-dev  # the baselines
+  python3-venv    # the reports
+)
+
+say() { echo "setup: $*"; }
+
+as_root() {
+  if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+is_installed() { dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed'; }
+
+install_packages() {
+  local missing=()
+  for package in "${packages[@]}"; do
+    is_installed "$package" || missing+=("$package")
+  done
+  [ ${#missing[@]} = 0 ] && return
+  command -v apt-get >/dev/null || { say "no apt-get here; please install: ${missing[*]}"; exit 2; }
+  say "installing ${missing[*]}"
+  as_root apt-get update -qq
+  as_root env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+# The environment is made again when the pins change.
+make_python_environment() {
+  local wanted
+  wanted=$(sha256sum reports/requirements.txt reports/pyproject.toml | sha256sum)
+  [ -x .venv/bin/python ] && [ "$(cat .venv/octocell-pins 2>/dev/null)" = "$wanted" ] && return
+  say "making a Python environment in .venv"
+  python3 -m venv --clear .venv
+  .venv/bin/python -m pip install --quiet --disable-pip-version-check -r reports/requirements.txt
+  .venv/bin/python -m pip install --quiet --disable-pip-version-check --no-deps --editable reports
+  echo "$wanted" >.venv/octocell-pins
+}
+
+install_packages
+make_python_environment
+.venv/bin/python scripts/fetch_data.py

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// A workspace of impl_cpu that tests run stage by stage.
+#pragma once
+
+#include "harness/planner/planner.hpp"
+#include "harness/scenes/scenes.hpp"
+#include "impl_cpu/stages.hpp"
+
+namespace octocell::cpu {
+
+/// Sized as the backend's upload() does.
+inline std::unique_ptr<Workspace> workspace_for(SceneView scene, const PlanOptions& options) {
+  auto w = std::make_unique<Workspace>();
+  w->plan = make_plan(measure(scene), options);
+  w->scene = scene;
+  w->threads = std::make_unique<Threads>(w->plan.threads);
+  const Capacities& room = w->plan.capacity;
+  for (IdArrays& ids : w->ids) ids.allocate(room.ids);
+  w->control_bits.allocate(scene.spheres.size());
+  w->cells.allocate(room.cells);
+  w->crowded_cells.allocate(room.ids / kTileSpheres + 1);
+  w->doubts.allocate(room.doubts);
+  w->pairs.allocate(room.pairs);
+  return w;
+}
+
+inline std::span<const std::uint32_t> sorted_ids(const Workspace& w) {
+  return {w.ids[w.current].cell_ids.data(), w.id_count};
+}
+inline std::span<const Object> sorted_objects(const Workspace& w) {
+  return {w.ids[w.current].objects.data(), w.id_count};
+}
+
+}  // namespace octocell::cpu

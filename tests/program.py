@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+"""Running the program under test, and reading what it says."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[1]
+RULES = ("lowest_cell", "chapter32", "as_written")
+
+
+@dataclass(frozen=True)
+class Result:
+    rc: int
+    stdout: str
+    stderr: str
+
+
+@dataclass(frozen=True)
+class Octocell:
+    path: Path
+
+    def run(self, *args: object, timeout: float = 60.0, **options: Any) -> Result:
+        """Options go to subprocess.run; stdout may be redirected, and is then empty here."""
+        options.setdefault("stdout", subprocess.PIPE)
+        done = subprocess.run(
+            [self.path, *map(str, args)],
+            stdin=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+            timeout=timeout,
+            check=False,
+            **options,
+        )
+        return Result(done.returncode, done.stdout or "", done.stderr)
+
+    def ok(self, *args: object, **options: Any) -> Result:
+        result = self.run(*args, **options)
+        assert result.rc == 0, f"{args}: exit {result.rc}: {result.stderr}"
+        return result
+
+    def find(self, scene: object, *args: object) -> dict[str, Any]:
+        """What `find --json` prints."""
+        answer: dict[str, Any] = json.loads(self.ok("find", scene, "--json", *args).stdout)
+        return answer
+
+    def listed(self, section: str) -> list[str]:
+        """Names in a section of `octocell list`: backends, baselines or scenes."""
+        text = self.ok("list").stdout
+        found = re.search(rf"^{section}\b.*\n((?:[ ].*\n)*)", text, re.MULTILINE)
+        assert found, f"`octocell list` has no section {section}:\n{text}"
+        return re.findall(r"^  (\w+) ", found[1], re.MULTILINE)
+
+    def implementations(self) -> list[tuple[str, ...]]:
+        """The flags of `find` for each row of `check`."""
+        rows: list[tuple[str, ...]] = []
+        for backend in self.listed("backends"):
+            rows += [("--backend", backend, "--rule", rule) for rule in RULES]
+            rows.append(("--backend", backend, "--method", "brute_force"))
+        return rows + [("--backend", name) for name in self.listed("baselines")]
+
+
+# Runs the program in a folder of the test's, checks that it refuses as it should, returns its line.
+Refused = Callable[..., str]

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: MIT
+"""`octocell check`, `list`, `--help` and `--version`."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from program import ROOT, Octocell
+from exact import exact_pairs
+from hard_scenes import SCENES
+
+GENERATORS = "gas dense poly cluster lattice shifted giant discs identical chain".split()
+
+
+def labels(octocell: Octocell) -> list[str]:
+    """What stands at the head of each row of `check`."""
+    rows = []
+    for _, backend, *rest in octocell.implementations():
+        kind = {"--rule": "home_phantom ", "--method": ""}.get(rest[0], "") if rest else ""
+        rows.append(" ".join([backend, f"{kind}{rest[1]}"]) if rest else backend)
+    return rows
+
+
+def test_check_tries_every_implementation_on_every_generator(octocell: Octocell) -> None:
+    text = octocell.ok("check").stdout
+    heads = re.findall(r"^(\w+):n=2000\S* \(2000 spheres, \d+ pairs\)$", text, re.MULTILINE)
+    assert heads == GENERATORS
+    blocks = re.split(r"^\S+ \(2000 spheres.*\n", text, flags=re.MULTILINE)[1:]
+    for block in blocks:
+        rows = [line for line in block.splitlines() if line.startswith("  ")]
+        assert [row[:42].strip() for row in rows] == labels(octocell)
+        for row in rows:
+            assert row[42:].strip() == "exact" or "as_written" in row, row
+    assert re.search(r"^\d+ exact, 0 wrong, \d+ exhibits with losses, 0 skipped$", text, re.M)
+
+
+@pytest.mark.parametrize("name", ["an_ulp_apart", "nine_decades_of_radius", "empty", "denormals"])
+def test_check_of_a_file(octocell: Octocell, name: str, tmp_path: Path) -> None:
+    path = tmp_path / f"{name}.npy"
+    np.save(path, SCENES[name])
+    text = octocell.ok("check", path).stdout
+    assert f"({len(SCENES[name])} spheres, {len(exact_pairs(SCENES[name]))} pairs)" in text
+    assert ", 0 wrong, " in text
+
+
+def test_check_of_one_backend(octocell: Octocell) -> None:
+    text = octocell.ok("check", "gas:n=100", "--backend", "bullet_dbvt").stdout
+    assert len(text.splitlines()) == 3
+    assert "1 exact, 0 wrong, 0 exhibits with losses, 0 skipped" in text
+
+
+def test_check_shows_the_losses_of_as_written(octocell: Octocell) -> None:
+    text = octocell.ok("check", "gas:n=2000", "--backend", "impl_cpu").stdout
+    row = next(line for line in text.splitlines() if "as_written" in line)
+    missed = re.search(r"missed (\d+), false 0, duplicates 0 \(an exhibit", row)
+    assert missed and int(missed[1]) > 0
+    assert "1 exhibits with losses" in text
+
+
+def test_check_says_why_a_row_is_skipped(octocell: Octocell) -> None:
+    text = octocell.ok("check", "shifted:n=99,offset=1e9", "--backend", "impl_cpu").stdout
+    row = next(line for line in text.splitlines() if " chapter32 " in line[:42])
+    assert "skipped: rule chapter32 does not hold for this scene" in row
+    assert text.endswith("1 skipped\n")
+
+
+def test_the_candidate_limit_skips_rows(octocell: Octocell) -> None:
+    text = octocell.ok("check", "gas:n=1000", "--candidate-limit", 10).stdout
+    assert "0 exact" in text
+    assert "skipped: 499500 candidates, over the limit of 10" in text  # brute force
+
+
+def test_list_prints_everything(octocell: Octocell) -> None:
+    folders = sorted(path.name for path in ROOT.glob("impl_*"))
+    assert sorted(octocell.listed("backends")) == folders
+    assert set(octocell.listed("baselines")) >= {"bullet_dbvt", "fcl_dynamic_aabb_tree"}
+    assert octocell.listed("scenes") == GENERATORS
+    text = octocell.ok("list").stdout
+    for word in ("home_phantom", "brute_force", "lowest_cell", "chapter32", "as_written"):
+        assert word in text
+    for line in text.splitlines():
+        if re.match(r"  (impl|fcl|bullet)_", line):
+            assert line.endswith("available") or "not here: " in line
+
+
+def test_help_and_version(octocell: Octocell) -> None:
+    text = octocell.ok("--help").stdout
+    for command in ("find", "check", "list", "generate", "bench"):
+        assert command in text
+        assert octocell.ok(command, "--help").stdout
+    assert re.fullmatch(r"\d+\.\d+\.\d+\n", octocell.ok("--version").stdout)
