@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: MIT
+"""The verdict: which rows are wrong that should not be."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from octocell_report import words
+from octocell_report.load import Result, Row
+
+
+@dataclass(frozen=True)
+class Verdict:
+    exact: int  # default rows that ran and are exact
+    wrong: list[Row]  # default rows that ran and are not
+    skipped: int
+    exhibits: int  # rows kept because their rule is wrong; right or wrong, they do not count
+    unavailable: list[str]  # real scenes that could not be fetched
+    finished: bool
+
+    @property
+    def checked(self) -> int:
+        return self.exact + len(self.wrong)
+
+    @property
+    def passes(self) -> bool:
+        """Every default row that ran is exact, and at least one ran."""
+        return not self.wrong and self.exact > 0
+
+
+def judge(result: Result) -> Verdict:
+    default = [row for row in result.rows if not row.exhibit]
+    return Verdict(
+        exact=sum(row.status == "ok" for row in default),
+        wrong=[row for row in default if row.status == "wrong"],
+        skipped=sum(row.status == "skipped" for row in result.rows),
+        exhibits=sum(row.exhibit and row.status != "skipped" for row in result.rows),
+        unavailable=[g.scene for g in result.groups if g.unavailable is not None],
+        finished=bool(result.context["finished"]),
+    )
+
+
+def headline(verdict: Verdict) -> str:
+    """One sentence; 'default' rows are those that ran and are no exhibits."""
+    if verdict.checked == 0:
+        return "No default row ran, so nothing was checked."
+    if verdict.wrong:
+        verb = "is" if len(verdict.wrong) == 1 else "are"
+        return f"{len(verdict.wrong)} of {verdict.checked} default rows {verb} wrong."
+    if verdict.checked == 1:
+        return "The only default row is exact."
+    return f"All {verdict.checked} default rows are exact."
+
+
+def summary(verdict: Verdict) -> str:
+    """The headline and what it does not count, in one line."""
+    parts = [headline(verdict), f"{verdict.skipped} skipped, {verdict.exhibits} exhibits."]
+    if verdict.unavailable:
+        parts.append(f"Unavailable: {', '.join(verdict.unavailable)}.")
+    if not verdict.finished:
+        parts.append("The run was interrupted; what is there is sound.")
+    return " ".join(parts)
+
+
+def complaint(row: Row) -> str:
+    """One line on one wrong row."""
+    return f"wrong: {row.name}: {row.pairs} pairs, {words.losses(row)}"

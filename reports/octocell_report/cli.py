@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: MIT
+"""The command line. Exit code 0: well; 1: looked at and found wanting; 2: could not look."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from octocell_report import __version__
+from octocell_report.fields import ReportError
+from octocell_report.load import load
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    options = _parser().parse_args(arguments)
+    try:
+        code: int = options.command(options)
+    except ReportError as error:
+        print(f"octocell-report: {error}", file=sys.stderr)
+        return 2
+    return code
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="octocell-report", description="Checks, plots and pages from octocell bench's JSON."
+    )
+    parser.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+
+    build = commands.add_parser("build", help="write plots, tables and a page")
+    build.add_argument("result", type=Path, metavar="RESULT.json")
+    build.add_argument("-o", "--output", type=Path, default=Path("reports/out"), metavar="FOLDER")
+    build.set_defaults(command=_build)
+
+    check = commands.add_parser("check", help="exit 1 if a row is wrong that is no exhibit")
+    check.add_argument("result", type=Path, metavar="RESULT.json")
+    check.set_defaults(command=_check)
+
+    readme = commands.add_parser("readme", help="write the text between octocell markers")
+    readme.add_argument("result", type=Path, metavar="RESULT.json")
+    readme.add_argument("readme", type=Path, metavar="README.md")
+    readme.add_argument("--check", action="store_true", help="write nothing; exit 1 if it differs")
+    readme.set_defaults(command=_readme)
+    return parser
+
+
+def _build(options: argparse.Namespace) -> int:
+    from octocell_report import page  # Matplotlib is slow to load; only plots need it
+
+    names = page.build(load(options.result), options.output)
+    print(
+        f"{options.output / 'index.html'}: written, with {len(names) - 1} plots and tables beside"
+    )
+    return 0
+
+
+def _check(options: argparse.Namespace) -> int:
+    from octocell_report.check import complaint, judge, summary
+
+    verdict = judge(load(options.result))
+    for row in verdict.wrong:
+        print(complaint(row))
+    print(summary(verdict))
+    return 0 if verdict.passes else 1
+
+
+def _readme(options: argparse.Namespace) -> int:
+    from octocell_report.readme import rewrite
+
+    differing = rewrite(load(options.result), options.readme, check_only=options.check)
+    if not differing:
+        print(f"{options.readme}: up to date")
+        return 0
+    verb = "differs from" if options.check else "rewritten from"
+    print(f"{options.readme}: {verb} {options.result}: {', '.join(differing)}")
+    return 1 if options.check else 0

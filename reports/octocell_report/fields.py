@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: MIT
+"""Fields of a JSON object, taken with a check: an error says whose field, which, and why."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable
+from typing import Any
+
+Json = dict[str, Any]
+
+
+class ReportError(Exception):
+    """Input that cannot be reported on; the message is one line for people."""
+
+
+# What a value may be: a word for the message, and the test.
+Check = tuple[str, Callable[[Any], bool]]
+
+
+def number(value: Any) -> bool:
+    is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    return is_number and math.isfinite(value) and value >= 0
+
+
+def whole(value: Any) -> bool:
+    return isinstance(value, int) and not isinstance(value, bool) and value >= 0
+
+
+def numbers(value: Any) -> bool:
+    return isinstance(value, list) and all(number(v) for v in value)
+
+
+def one_of(*words: str) -> Check:
+    return "one of " + ", ".join(words), lambda v: isinstance(v, str) and v in words
+
+
+def or_null(check: Check) -> Check:
+    return f"{check[0]} or null", lambda v: v is None or check[1](v)
+
+
+is_object: Check = ("an object", lambda v: isinstance(v, dict))
+is_list: Check = ("a list", lambda v: isinstance(v, list))
+is_text: Check = ("text", lambda v: isinstance(v, str))
+is_bool: Check = ("true or false", lambda v: isinstance(v, bool))
+is_whole: Check = ("a whole number, 0 or more", whole)
+is_number: Check = ("a number, 0 or more", number)
+is_times: Check = ("a list of times, 0 or more", numbers)
+is_stages: Check = (
+    "an object of lists of times",
+    lambda v: isinstance(v, dict) and all(numbers(t) for t in v.values()),
+)
+is_names: Check = (
+    "an object of names",
+    lambda v: isinstance(v, dict) and all(isinstance(t, str) for t in v.values()),
+)
+
+
+class Fields:
+    """One JSON object and how to call it when a field of it is not as it should be."""
+
+    def __init__(self, value: Any, title: str) -> None:
+        if not isinstance(value, dict):
+            raise ReportError(f"{title}: is not an object")
+        self.value: Json = value
+        self.title = title
+
+    def take(self, key: str, check: Check) -> Any:
+        if key not in self.value:
+            raise ReportError(f"{self.title}: lacks the field '{key}'")
+        found = self.value[key]
+        if not check[1](found):
+            shown = json.dumps(found)
+            shown = shown if len(shown) <= 40 else shown[:37] + "..."
+            raise ReportError(f"{self.title}: field '{key}' is {shown}, not {check[0]}")
+        return found

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: MIT
+"""The tables as data frames, for the CSV files: plain numbers, nothing rounded."""
+
+from __future__ import annotations
+
+from statistics import median
+
+import pandas as pd
+
+from octocell_report import tables, words
+from octocell_report.load import Result
+
+
+def times_frame(result: Result) -> pd.DataFrame:
+    """Every row that ran; a time stands next to its status."""
+    labels = words.labels(result)
+    return pd.DataFrame(
+        {
+            "scene": row.place.scene,
+            "n": row.place.n,
+            "implementation": labels[row.impl],
+            "method": row.impl.method,
+            "rule": row.impl.rule,
+            "threads": row.impl.threads,
+            "run": row.run,
+            "status": row.status,
+            "exhibit": row.exhibit,
+            "missed": row.missed,
+            "false": row.false,
+            "duplicates": row.duplicates,
+            "median_ms": row.median_ms,
+            "min_ms": min(row.total_ms),
+            "max_ms": max(row.total_ms),
+            "rounds": len(row.total_ms),
+            "plan_ms": row.plan_ms,
+            "ns_per_sphere": tables.ns_per_sphere(row),
+            "candidates_per_pair": tables.candidates_per_pair(result, row),
+            "doubts": row.doubts,
+            "bytes_per_sphere_beyond": tables.beyond_bytes(row),
+        }
+        for row in result.rows
+        if row.status != "skipped"
+    )
+
+
+def slopes_frame(result: Result) -> pd.DataFrame:
+    labels = words.labels(result)
+    return pd.DataFrame(
+        {
+            "scene": scene,
+            "run": run,
+            "implementation": labels[impl],
+            "sizes": len(rows),
+            "slope": tables.slope(rows),
+        }
+        for run in tables.runs(result)
+        for scene in result.scenes
+        for impl, rows in tables.curves(result, scene, run).items()
+        if tables.slope(rows) is not None
+    )
+
+
+def ratios_frame(result: Result) -> pd.DataFrame:
+    labels = words.labels(result)
+    return pd.DataFrame(
+        {
+            "scene": ratio.place.scene,
+            "n": ratio.place.n,
+            "run": ratio.run,
+            "implementation": labels[ratio.impl],
+            "against": ratio.family,
+            "reference": labels[ratio.reference],
+            "times_as_fast_median": ratio.median,
+            "min": min(ratio.rounds),
+            "max": max(ratio.rounds),
+            "rounds": len(ratio.rounds),
+        }
+        for run in tables.runs(result)
+        for ratio in tables.ratios(result, run)
+    )
+
+
+def stages_frame(result: Result) -> pd.DataFrame:
+    """Long form; a fused stage names the stage that holds its time and has none of its own."""
+    labels = words.labels(result)
+    found = []
+    for row in result.rows:
+        head = {
+            "scene": row.place.scene,
+            "n": row.place.n,
+            "implementation": labels[row.impl],
+            "run": row.run,
+            "status": row.status,
+        }
+        for stage, ms in row.stage_ms.items():
+            found.append(head | {"stage": stage, "median_ms": median(ms), "fused_into": None})
+        for stage, host in row.fused.items():
+            found.append(head | {"stage": stage, "median_ms": None, "fused_into": host})
+    return pd.DataFrame(found)
+
+
+def correctness_frame(result: Result) -> pd.DataFrame:
+    labels = words.labels(result)
+    cells = tables.correctness(result)
+    return pd.DataFrame(
+        {
+            "implementation": labels[impl],
+            **{f"{g.scene} {g.n}": cells[impl, g.place].text for g in result.groups},
+        }
+        for impl in result.impls
+    )
+
+
+def skipped_frame(result: Result) -> pd.DataFrame:
+    labels = words.labels(result)
+    return pd.DataFrame(
+        {
+            "scene": row.place.scene,
+            "n": row.place.n,
+            "implementation": labels[row.impl],
+            "run": row.run,
+            "reason": row.reason,
+        }
+        for row in result.rows
+        if row.status == "skipped"
+    )
+
+
+def unavailable_frame(result: Result) -> pd.DataFrame:
+    return pd.DataFrame(
+        {"scene": group.scene, "spec": group.spec, "reason": group.unavailable}
+        for group in result.groups
+        if group.unavailable is not None
+    )
+
+
+_FRAMES = {
+    "times": times_frame,
+    "slopes": slopes_frame,
+    "ratios": ratios_frame,
+    "stages": stages_frame,
+    "correctness": correctness_frame,
+    "skipped": skipped_frame,
+    "unavailable": unavailable_frame,
+}
+
+NAMES = tuple(_FRAMES)  # of the CSV files, without their ending
+
+
+def all_frames(result: Result) -> dict[str, pd.DataFrame]:
+    """By name; a question without an answer in this result has an empty frame."""
+    return {name: frame(result) for name, frame in _FRAMES.items()}

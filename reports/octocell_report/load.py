@@ -1,0 +1,305 @@
+# SPDX-License-Identifier: MIT
+"""The bench JSON, read and checked: what gets past load() needs no second look."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from statistics import median
+from typing import Any, NamedTuple
+
+from octocell_report.fields import (
+    Check,
+    Fields,
+    Json,
+    ReportError,
+    is_bool,
+    is_list,
+    is_names,
+    is_number,
+    is_object,
+    is_stages,
+    is_text,
+    is_times,
+    is_whole,
+    one_of,
+    or_null,
+)
+
+SCHEMA = 1
+RUNS = ("cold", "warm", "update")
+STATUSES = ("ok", "wrong", "skipped")
+KINDS = ("backend", "baseline")
+# In the order in which they run; the JSON may hold them in any.
+STAGES = (
+    *("bounds", "cell_ids", "sort", "cell_index", "pair_tests", "resolve"),
+    *("build", "update", "query"),
+)
+
+
+class Impl(NamedTuple):
+    """What is compared: one backend or baseline, its method and rule, its thread count."""
+
+    backend: str
+    method: str | None
+    rule: str | None
+    threads: int
+
+
+class Place(NamedTuple):
+    """Where it is compared: one scene at one size."""
+
+    scene: str
+    n: int
+
+
+@dataclass(frozen=True)
+class Group:
+    scene: str
+    n: int
+    spec: str
+    real: bool
+    unavailable: str | None
+    truth_pairs: int | None
+    truth_checksum: str | None
+
+    @property
+    def place(self) -> Place:
+        return Place(self.scene, self.n)
+
+
+@dataclass(frozen=True)
+class Row:
+    name: str
+    impl: Impl
+    kind: str
+    place: Place
+    run: str
+    exhibit: bool
+    status: str
+    reason: str | None
+    pairs: int | None
+    checksum: str | None
+    missed: int | None
+    false: int | None
+    duplicates: int | None
+    candidates: int | None
+    doubts: int | None
+    total_ms: tuple[float, ...]  # one per round
+    stage_ms: dict[str, tuple[float, ...]]
+    fused: dict[str, str]  # stage -> the stage whose time holds it
+    plan_ms: float | None
+    peak_bytes: int | None
+    output_bytes: int | None
+
+    @property
+    def median_ms(self) -> float:
+        """Median over the rounds; NaN for a skipped row."""
+        return median(self.total_ms) if self.total_ms else math.nan
+
+    @property
+    def counts(self) -> bool:
+        """True if its time may stand bare: exact, and not an exhibit."""
+        return self.status == "ok" and not self.exhibit
+
+
+@dataclass(frozen=True)
+class Result:
+    context: Json
+    groups: list[Group]
+    rows: list[Row]
+
+    @property
+    def impls(self) -> list[Impl]:
+        """In table order: backends before baselines, else as first met."""
+        seen: dict[Impl, str] = {}
+        for row in self.rows:
+            seen.setdefault(row.impl, row.kind)
+        return sorted(seen, key=lambda impl: KINDS.index(seen[impl]))
+
+    def impls_of(self, kind: str) -> list[Impl]:
+        kinds = {row.impl: row.kind for row in self.rows}
+        return [impl for impl in self.impls if kinds[impl] == kind]
+
+    @property
+    def scenes(self) -> list[str]:
+        return list(dict.fromkeys(group.scene for group in self.groups))
+
+    def sizes(self, scene: str) -> list[int]:
+        """Ascending; an unavailable scene has none."""
+        return sorted(g.n for g in self.groups if g.scene == scene and g.unavailable is None)
+
+    def at(self, place: Place, run: str) -> list[Row]:
+        return [row for row in self.rows if row.place == place and row.run == run]
+
+    def largest(self, scene: str) -> Place | None:
+        """The scene at its largest size that has spheres."""
+        sizes = [n for n in self.sizes(scene) if n > 0]
+        return Place(scene, sizes[-1]) if sizes else None
+
+
+def load(path: Path) -> Result:
+    """Reads and checks one result. Throws ReportError naming the file, and the row if it is one."""
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        why = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
+        raise ReportError(f"{path}: cannot be read: {why}") from error
+    try:
+        document = json.loads(text)
+    except (json.JSONDecodeError, RecursionError) as error:
+        raise ReportError(f"{path}: not JSON: {error}") from error
+    try:
+        return parse(document)
+    except ReportError as error:
+        raise ReportError(f"{path}: {error}") from error
+
+
+def parse(document: Any) -> Result:
+    """The same for a document already decoded."""
+    if not isinstance(document, dict) or "schema" not in document:
+        raise ReportError("not a bench result: it has no field 'schema'")
+    if document["schema"] != SCHEMA or isinstance(document["schema"], bool):
+        raise ReportError(f"schema {document['schema']!r} is not the schema {SCHEMA} read here")
+    context = Fields(document, "result").take("context", is_object)
+    _check_context(context)
+    groups = [_group(item, i) for i, item in enumerate(_list(document, "groups"))]
+    rows = [_row(item, i) for i, item in enumerate(_list(document, "rows"))]
+    _check_together(groups, rows)
+    return Result(context, groups, rows)
+
+
+def _list(document: Json, key: str) -> list[Any]:
+    found: list[Any] = Fields(document, "result").take(key, is_list)
+    return found
+
+
+_CONTEXT_TEXTS = (
+    "date",
+    "commit",
+    "version",
+    "compiler",
+    "flags",
+    "instruction_set",
+    "build_type",
+    "preset",
+)
+
+
+def _check_context(context: Json) -> None:
+    fields = Fields(context, "context")
+    for key in _CONTEXT_TEXTS:
+        fields.take(key, is_text)
+    for key in ("dirty", "finished"):
+        fields.take(key, is_bool)
+    fields.take("rounds", is_whole)
+    fields.take("libraries", is_object)
+    machine = Fields(fields.take("machine", is_object), "context.machine")
+    for key in ("name", "cpu", "os"):
+        machine.take(key, is_text)
+    for key in ("cores", "memory_bytes"):
+        machine.take(key, is_whole)
+
+
+def _group(item: Any, index: int) -> Group:
+    fields = Fields(item, f"group {index}")
+    scene, n = fields.take("scene", is_text), fields.take("n", is_whole)
+    fields.title = f"group {index} (scene {scene}, n {n})"
+    truth = fields.take("truth", or_null(is_object))
+    pairs = checksum = None
+    if truth is not None:
+        known = Fields(truth, f"{fields.title}: truth")
+        pairs, checksum = known.take("pairs", is_whole), known.take("checksum", is_text)
+    return Group(
+        scene=scene,
+        n=n,
+        spec=fields.take("spec", is_text),
+        real=fields.take("real", is_bool),
+        unavailable=fields.take("unavailable", or_null(is_text)),
+        truth_pairs=pairs,
+        truth_checksum=checksum,
+    )
+
+
+# Fields that only a row that ran must have; a skipped row's are not looked at.
+_MEASURED: dict[str, Check] = {
+    "pairs": is_whole,
+    "checksum": is_text,
+    "missed": or_null(is_whole),
+    "false": or_null(is_whole),
+    "duplicates": or_null(is_whole),
+    "candidates": or_null(is_whole),
+    "doubts": or_null(is_whole),
+    "total_ms": is_times,
+    "stage_ms": is_stages,
+    "plan_ms": or_null(is_number),
+    "fused": is_names,
+    "peak_bytes": or_null(is_whole),
+    "output_bytes": or_null(is_whole),
+}
+
+
+def _row(item: Any, index: int) -> Row:
+    fields = Fields(item, f"row {index}")
+    name = fields.take("name", is_text)
+    fields.title = f"row {index} ({name})"
+    impl = Impl(
+        fields.take("backend", is_text),
+        fields.take("method", or_null(is_text)),
+        fields.take("rule", or_null(is_text)),
+        fields.take("threads", is_whole),
+    )
+    status = fields.take("status", one_of(*STATUSES))
+    return Row(
+        name=name,
+        impl=impl,
+        kind=fields.take("kind", one_of(*KINDS)),
+        place=Place(fields.take("scene", is_text), fields.take("n", is_whole)),
+        run=fields.take("run", one_of(*RUNS)),
+        exhibit=fields.take("exhibit", is_bool),
+        status=status,
+        reason=fields.take("reason", is_text if status == "skipped" else or_null(is_text)),
+        **(_unmeasured() if status == "skipped" else _measured(fields)),
+    )
+
+
+def _unmeasured() -> Json:
+    nothing: Json = dict.fromkeys(_MEASURED)
+    return nothing | {"total_ms": (), "stage_ms": {}, "fused": {}}
+
+
+def _measured(fields: Fields) -> Json:
+    found = {key: fields.take(key, check) for key, check in _MEASURED.items()}
+    if not found["total_ms"]:
+        raise ReportError(f"{fields.title}: field 'total_ms' has no round")
+    found["total_ms"] = tuple(found["total_ms"])
+    known = sorted(found["stage_ms"].items(), key=lambda item: _rank(item[0]))
+    found["stage_ms"] = {stage: tuple(ms) for stage, ms in known if ms}
+    return found
+
+
+def _rank(stage: str) -> int:
+    return STAGES.index(stage) if stage in STAGES else len(STAGES)
+
+
+def _check_together(groups: list[Group], rows: list[Row]) -> None:
+    """What no row shows alone: names met once, groups that exist, digests that fit the truth."""
+    known = {group.place: group for group in groups}
+    names: set[str] = set()
+    for index, row in enumerate(rows):
+        title = f"row {index} ({row.name})"
+        if row.name in names:
+            raise ReportError(f"{title}: an earlier row has the same name")
+        names.add(row.name)
+        group = known.get(row.place)
+        if group is None:
+            raise ReportError(f"{title}: no group has scene {row.place.scene}, n {row.place.n}")
+        losses = (row.missed or 0) + (row.false or 0) + (row.duplicates or 0)
+        truth = (group.truth_pairs, group.truth_checksum)
+        differs = group.truth_pairs is not None and (row.pairs, row.checksum) != truth
+        if row.status == "ok" and (losses > 0 or differs):
+            raise ReportError(f"{title}: says ok, but its pairs differ from its group's truth")
+        if row.status == "ok" and group.truth_pairs is None:
+            raise ReportError(f"{title}: says ok, but its group has no truth to be held against")

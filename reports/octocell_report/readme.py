@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: MIT
+"""Text between markers in a Markdown file, written from a result so that it cannot go stale.
+
+<!-- octocell:speed -->
+(what stands here is replaced)
+<!-- /octocell:speed -->
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+from statistics import median
+
+from octocell_report import tables, words
+from octocell_report.fields import ReportError
+from octocell_report.files import replace_text
+from octocell_report.load import Impl, Place, Result, Row
+
+SCENE = "gas"  # the plain scene: the table of speeds is about it alone
+NAMED = "bullet_dbvt"  # the baseline that ratios are also given to by name
+RUNS = ("cold", "warm")
+
+_MARKER = re.compile(r"<!--\s*(/?)octocell:([^\s>]*)\s*-->")
+
+
+def rewrite(result: Result, path: Path, check_only: bool) -> list[str]:
+    """Names of the blocks that differed; unless check_only, the file has them all now."""
+    try:
+        with path.open(encoding="utf-8", newline="") as stream:
+            text = stream.read()
+    except (OSError, UnicodeDecodeError) as error:
+        why = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
+        raise ReportError(f"{path}: cannot be read: {why}") from error
+    try:
+        fresh, differing = filled(result, text)
+    except ReportError as error:
+        raise ReportError(f"{path}: {error}") from error
+    if differing and not check_only:
+        replace_text(path, fresh)
+    return differing
+
+
+def filled(result: Result, text: str) -> tuple[str, list[str]]:
+    """The text with every block written anew, and the names of those that differed."""
+    newline = "\r\n" if "\r\n" in text else "\n"
+    parts, differing, end = [], [], 0
+    for name, start, stop in _blocks(text):
+        block = f"\n{BLOCKS[name](result)}\n".replace("\n", newline)
+        parts += [text[end:start], block]
+        if text[start:stop] != block:
+            differing.append(name)
+        end = stop
+    return "".join(parts) + text[end:], differing
+
+
+def _blocks(text: str) -> list[tuple[str, int, int]]:
+    """(name, start, stop) of what stands between the markers, checked to pair up."""
+    found = []
+    opened: tuple[str, int, int] | None = None
+    for marker in _MARKER.finditer(text):
+        closes, name = marker.group(1) == "/", marker.group(2)
+        line = text.count("\n", 0, marker.start()) + 1
+        if name not in BLOCKS:
+            known = ", ".join(BLOCKS)
+            raise ReportError(f"line {line}: unknown marker 'octocell:{name}'; known: {known}")
+        if closes != (opened is not None) or (opened and opened[0] != name):
+            still = f"'{opened[0]}' is still open" if opened else ""
+            what = f"ends '{name}', which is not open" if closes else still
+            raise ReportError(f"line {line}: {what}")
+        if opened is None:
+            opened = name, marker.end(), line
+            continue
+        found.append((name, opened[1], marker.start()))
+        opened = None
+    if opened is not None:
+        raise ReportError(f"line {opened[2]}: marker 'octocell:{opened[0]}' is never closed")
+    if not found:
+        raise ReportError("has no octocell markers")
+    return found
+
+
+def speed(result: Result) -> str:
+    """Ratios first: they carry over to other machines better than times do."""
+    place = result.largest(SCENE)
+    if place is None:
+        raise ReportError(f"block 'speed' needs the scene {SCENE}, which the result does not have")
+    titles = words.titles(result)
+    references = _references(result, place)
+    header = ["implementation", *(f"vs {name}" for name in references)]
+    lines = [_line([*header, *(f"{run} [ms]" for run in RUNS)]), _rule(len(header) + len(RUNS))]
+    for impl in result.impls:
+        rows = {r.run: r for run in RUNS for r in result.at(place, run) if r.impl == impl}
+        if rows:
+            lines.append(_line([titles[impl], *_speeds(rows, references)]))
+    named = [_named(name, rows) for name, rows in references.items() if name != NAMED]
+    note = (
+        f"Scene {SCENE}, {words.grouped(place.n)} spheres. Ratios are cold / warm, baseline time "
+        "by the row's time within interleaved rounds, median; above 1 is faster than the baseline. "
+        "Times are this machine's."
+    )
+    return "\n".join([*lines, "", " ".join([note, *named])])
+
+
+def _named(name: str, rows: dict[str, Row]) -> str:
+    """'The fastest FCL is `...`.', once if it is the same in all runs."""
+    met = {run: f"`{row.impl.backend}`" for run, row in rows.items()}
+    if len(set(met.values())) == 1:
+        return f"The {name} is {next(iter(met.values()))}."
+    return f"The {name} is {', '.join(f'{label} ({run})' for run, label in met.items())}."
+
+
+def _references(result: Result, place: Place) -> dict[str, dict[str, Row]]:
+    """By column: the row that others are held against, by run."""
+    found: dict[str, dict[str, Row]] = {}
+    for run in RUNS:
+        rows = result.at(place, run)
+        for family in tables.families(result):
+            row = tables.fastest(rows, family)
+            if row is not None:
+                found.setdefault(f"fastest {words.family_title(family)}", {})[run] = row
+    for run in RUNS:
+        for row in result.at(place, run):
+            if row.impl.backend == NAMED and row.kind == "baseline" and row.counts:
+                found.setdefault(NAMED, {})[run] = row
+    return found
+
+
+def _speeds(rows: dict[str, Row], references: dict[str, dict[str, Row]]) -> list[str]:
+    """The row's cells after its name; what is not exact gets its verdict and no numbers."""
+    first = next(iter(rows.values()))
+    bad = [row for row in rows.values() if row.status != "skipped" and not row.counts]
+    if bad:
+        return [words.verdict(bad[0]), *[words.NONE] * (len(references) + len(RUNS) - 1)]
+    if all(row.status == "skipped" for row in rows.values()):
+        why = f"skipped: {words.short_reason(first.reason, 60)}"
+        return [why, *[words.NONE] * (len(references) + len(RUNS) - 1)]
+    cells = [
+        " / ".join(_ratio(rows.get(run), of.get(run)) for run in RUNS) for of in references.values()
+    ]
+    return cells + [words.number(rows[run].median_ms if run in rows else None) for run in RUNS]
+
+
+def _ratio(row: Row | None, reference: Row | None) -> str:
+    if row is None or reference is None or not row.counts:
+        return words.NONE
+    rounds = tables.round_ratios(reference, row)
+    return words.ratio(median(rounds)) if rounds else words.NONE
+
+
+def correctness(result: Result) -> str:
+    """Implementations down, scenes across; what stands in a cell holds for all its sizes."""
+    titles, cells = words.titles(result), tables.correctness(result)
+    lines = [_line(["implementation", *result.scenes]), _rule(1 + len(result.scenes))]
+    for impl in result.impls:
+        lines.append(
+            _line([titles[impl], *(_scene_cell(result, cells, impl, s) for s in result.scenes)])
+        )
+    note = (
+        f"{words.MINUS} pairs missed, + pairs that are none, × pairs given more than once; at the "
+        "largest size that is wrong."
+    )
+    return "\n".join([*lines, "", note])
+
+
+def _scene_cell(
+    result: Result, cells: dict[tuple[Impl, Place], tables.Cell], impl: Impl, scene: str
+) -> str:
+    groups = sorted((g for g in result.groups if g.scene == scene), key=lambda g: g.n)
+    here = [(group.n, cells[impl, group.place]) for group in groups]
+    wrong = [(n, cell) for n, cell in here if cell.state in ("wrong", "exhibit")]
+    if wrong:
+        n, cell = wrong[-1]
+        return f"**{cell.text}** at {words.size(n)}"
+    exact = sum(cell.state == "exact" for _, cell in here)
+    if exact == len(here):
+        return "exact"
+    if exact:
+        return f"exact, {exact} of {len(here)} sizes"
+    return {"unavailable": "not there", "skipped": "skipped"}.get(here[-1][1].state, words.NONE)
+
+
+def machine(result: Result) -> str:
+    """One line: what the numbers beside it belong to."""
+    context, box = result.context, result.context["machine"]
+    dirty = " with uncommitted changes" if context["dirty"] else ""
+    parts = [
+        f"{box['cpu']}, {box['cores']} cores, {box['memory_bytes'] / 1e9:.0f} GB, {box['os']}",
+        f"{context['compiler']} ({context['build_type']}, `{context['flags']}`)",
+        f"commit {context['commit'][:12]}{dirty}",
+        context["date"][:10],
+    ]
+    if not context["finished"]:
+        parts.append("run interrupted")
+    return "; ".join(parts) + "."
+
+
+def _line(cells: list[str]) -> str:
+    return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
+
+
+def _rule(columns: int) -> str:
+    return "|---" + "|---:" * (columns - 1) + "|"
+
+
+BLOCKS: dict[str, Callable[[Result], str]] = {
+    "speed": speed,
+    "correctness": correctness,
+    "machine": machine,
+}

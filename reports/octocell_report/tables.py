@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: MIT
+"""What the plots, the page and the README show, as numbers: one function per question."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from statistics import median
+
+import numpy as np
+
+from octocell_report import words
+from octocell_report.load import Group, Impl, Place, Result, Row
+
+
+def curves(result: Result, scene: str, run: str) -> dict[Impl, list[Row]]:
+    """Rows whose time may stand bare, ascending by size, for sizes above zero."""
+    found: dict[Impl, list[Row]] = {impl: [] for impl in result.impls}
+    for row in sorted(result.rows, key=lambda r: r.place.n):
+        fits = row.place.scene == scene and row.run == run and row.place.n > 0
+        if fits and row.counts and row.median_ms > 0:
+            found[row.impl].append(row)
+    return {impl: rows for impl, rows in found.items() if rows}
+
+
+def marked(result: Result, scene: str, run: str) -> list[Row]:
+    """Rows that ran but may not show a bare time: wrong ones, and exhibits."""
+    return [
+        row
+        for row in result.rows
+        if row.place.scene == scene
+        and row.run == run
+        and row.place.n > 0
+        and row.status != "skipped"
+        and not row.counts
+        and row.median_ms > 0
+    ]
+
+
+def slope(rows: list[Row]) -> float | None:
+    """The exponent b of time = a n^b, fitted to the medians; None below two sizes."""
+    fit = power_law(rows)
+    return None if fit is None else fit[1]
+
+
+def power_law(rows: list[Row]) -> tuple[float, float] | None:
+    """(a, b) of median_ms = a n^b by least squares on logarithms."""
+    if len({row.place.n for row in rows}) < 2:
+        return None
+    sizes = np.log([row.place.n for row in rows])
+    times = np.log([row.median_ms for row in rows])
+    b, log_a = np.polyfit(sizes, times, 1)
+    return math.exp(log_a), float(b)
+
+
+@dataclass(frozen=True)
+class Ratio:
+    """How many times as fast as the reference; above 1 is faster."""
+
+    impl: Impl
+    place: Place
+    run: str
+    family: str  # of the reference: fcl, bullet
+    reference: Impl
+    rounds: tuple[float, ...]  # reference / row, round by round: the two were interleaved
+
+    @property
+    def median(self) -> float:
+        return median(self.rounds)
+
+
+def families(result: Result) -> list[str]:
+    """The libraries that the baselines come from, in table order."""
+    backends = [impl.backend for impl in result.impls_of("baseline")]
+    return list(dict.fromkeys(words.family(backend) for backend in backends))
+
+
+def fastest(rows: list[Row], family: str) -> Row | None:
+    """The fastest exact baseline of a family among the rows of one group and run."""
+    fits = [
+        row
+        for row in rows
+        if row.kind == "baseline" and row.counts and words.family(row.impl.backend) == family
+    ]
+    return min(fits, key=lambda row: row.median_ms, default=None)
+
+
+def round_ratios(reference: Row, row: Row) -> tuple[float, ...]:
+    """reference / row for the rounds that both have; empty where the row took no time."""
+    pairs = zip(reference.total_ms, row.total_ms, strict=False)
+    return tuple(theirs / ours for theirs, ours in pairs if ours > 0)
+
+
+def ratios(result: Result, run: str, kind: str = "backend") -> list[Ratio]:
+    """Every exact row of that kind against the fastest exact baseline of each library."""
+    found = []
+    for group in result.groups:
+        rows = result.at(group.place, run)
+        for name in families(result):
+            reference = fastest(rows, name)
+            for row in rows:
+                if reference is None or row.kind != kind or not row.counts:
+                    continue
+                rounds = round_ratios(reference, row)
+                if rounds:
+                    ratio = Ratio(row.impl, row.place, run, name, reference.impl, rounds)
+                    found.append(ratio)
+    return found
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One entry of the correctness matrix, over all runs of one implementation at one place."""
+
+    state: str  # exact | wrong | exhibit | skipped | unavailable | absent
+    text: str
+
+
+def cell(rows: list[Row], group: Group) -> Cell:
+    """Wrong beats exact beats skipped: one bad run is enough."""
+    if group.unavailable is not None:
+        return Cell("unavailable", "no scene")
+    if not rows:
+        return Cell("absent", "")
+    wrong = [row for row in rows if row.status == "wrong"]
+    if wrong:
+        worst = max(wrong, key=lambda r: (r.missed or 0) + (r.false or 0) + (r.duplicates or 0))
+        return Cell("exhibit" if worst.exhibit else "wrong", words.losses(worst))
+    if any(row.status == "ok" for row in rows):
+        return Cell("exact", "exact")
+    return Cell("skipped", words.short_reason(rows[0].reason, 24))
+
+
+def correctness(result: Result) -> dict[tuple[Impl, Place], Cell]:
+    return {
+        (impl, group.place): cell(
+            [row for row in result.rows if row.impl == impl and row.place == group.place], group
+        )
+        for impl in result.impls
+        for group in result.groups
+    }
+
+
+def beyond_bytes(row: Row) -> float | None:
+    """Bytes per sphere beyond input and output."""
+    if row.peak_bytes is None or row.place.n == 0:
+        return None
+    return (row.peak_bytes - (row.output_bytes or 0)) / row.place.n
+
+
+def memory(result: Result, place: Place) -> dict[Impl, Row]:
+    """For each implementation measured there, its run that needed most."""
+    found: dict[Impl, Row] = {}
+    for row in result.rows:
+        need = beyond_bytes(row)
+        if row.place != place or need is None:
+            continue
+        best = found.get(row.impl)
+        if best is None or need > (beyond_bytes(best) or 0.0):
+            found[row.impl] = row
+    return found
+
+
+def ns_per_sphere(row: Row) -> float:
+    """NaN without spheres or without a time."""
+    return row.median_ms * 1e6 / row.place.n if row.place.n else math.nan
+
+
+def candidates_per_pair(result: Result, row: Row) -> float:
+    """Pairs looked at for each true pair; NaN where either is unknown or there is none."""
+    truth = next(g.truth_pairs for g in result.groups if g.place == row.place)
+    return row.candidates / truth if row.candidates is not None and truth else math.nan
+
+
+def runs(result: Result) -> list[str]:
+    """Which of cold, warm, update the result holds."""
+    held = {row.run for row in result.rows}
+    return [run for run in ("cold", "warm", "update") if run in held]

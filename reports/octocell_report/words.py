@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: MIT
+"""Numbers and names as people read them; the same words in plots, page and README."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections import defaultdict
+
+from octocell_report.load import Impl, Place, Result, Row
+
+THIN = "\u202f"  # narrow space between groups of digits; no line breaks there
+MINUS = "\u2212"
+NONE = "\u2013"  # where there is no number
+
+_FAMILIES = {"fcl": "FCL", "bullet": "Bullet"}
+
+
+def grouped(value: float) -> str:
+    """1234567 -> '1 234 567', with narrow spaces."""
+    return f"{value:,.0f}".replace(",", THIN)
+
+
+def size(n: int) -> str:
+    """A number of spheres: round ones short (1k, 2.5M), others in full."""
+    for unit, suffix in ((10**9, "G"), (10**6, "M"), (10**3, "k")):
+        if n >= unit and n % (unit // 10) == 0:
+            return f"{n / unit:g}{suffix}"
+    return grouped(n)
+
+
+def number(value: float | None) -> str:
+    """Three significant digits, no exponent for what is above a millionth."""
+    if value is None or math.isnan(value):
+        return NONE
+    if abs(value) >= 99.95:
+        return grouped(value)
+    for limit, digits in ((9.995, 1), (0.9995, 2), (0.09995, 3), (0.009995, 4)):
+        if abs(value) >= limit:
+            return f"{value:.{digits}f}"
+    return f"{value:.3g}"
+
+
+def count(value: int | None) -> str:
+    """A count that must stay short: exact below 10 000, else three digits and a unit."""
+    if value is None:
+        return "?"
+    if value < 10_000:
+        return str(value)
+    for unit, suffix in ((10**9, "G"), (10**6, "M"), (10**3, "k")):
+        if value >= 0.9995 * unit:
+            return f"{value / unit:.3g}{suffix}"
+    return str(value)
+
+
+def ratio(value: float) -> str:
+    """Three digits from 1 up, two below: 12.3×, 0.85×."""
+    return f"{number(value)}×" if value >= 0.995 else f"{value:#.2g}×"
+
+
+def tick(value: float, _: object = None) -> str:
+    """An axis label: no trailing zeros, groups of digits apart."""
+    return grouped(value) if abs(value) >= 1000 else f"{value:g}"
+
+
+def spread(values: tuple[float, ...] | list[float]) -> str:
+    return f"{number(min(values))}{NONE}{number(max(values))}"
+
+
+def losses(row: Row) -> str:
+    """'-missed +false', and 'xdup' where pairs came more than once."""
+    text = f"{MINUS}{count(row.missed)} +{count(row.false)}"
+    return text + (f" ×{count(row.duplicates)}" if row.duplicates else "")
+
+
+def verdict(row: Row) -> str:
+    """What must stand next to a time that is not bare."""
+    if row.status == "wrong":
+        return ("exhibit " if row.exhibit else "wrong ") + losses(row)
+    return "exhibit, exact here"
+
+
+def place(where: Place) -> str:
+    return f"{where.scene} {size(where.n)}"
+
+
+def family(backend: str) -> str:
+    """The library of a baseline: the first word of its name."""
+    return backend.split("_", 1)[0]
+
+
+def family_title(name: str) -> str:
+    return _FAMILIES.get(name, name)
+
+
+def short_reason(reason: str | None, width: int) -> str:
+    """A skip reason in so many letters; the full one is in the table of skipped rows."""
+    text = reason or "no reason given"
+    if "over the limit" in text:
+        return "over limit"
+    return textwrap.shorten(text, width, placeholder="…")
+
+
+def labels(result: Result) -> dict[Impl, str]:
+    """One label per implementation, as short as it can be while no two are the same."""
+    methods: dict[tuple[str, str | None], set[str | None]] = defaultdict(set)
+    for impl in result.impls:
+        methods[impl.backend, impl.rule].add(impl.method)
+    threads = {impl.threads for impl in result.impls}
+
+    def label(impl: Impl) -> str:
+        words = [impl.backend]
+        if impl.rule and impl.method and len(methods[impl.backend, impl.rule]) > 1:
+            words.append(f"{impl.method}/{impl.rule}")
+        elif impl.rule or impl.method:
+            words.append(impl.rule or impl.method or "")
+        if impl.threads != 1 and len(threads) > 1:
+            words.append(f"({impl.threads} threads)")
+        return " ".join(words)
+
+    return {impl: label(impl) for impl in result.impls}
+
+
+def titles(result: Result) -> dict[Impl, str]:
+    """Labels that also say which implementations are exhibits."""
+    shown = {row.impl for row in result.rows if row.exhibit}
+    return {
+        impl: f"{label} (exhibit)" if impl in shown else label
+        for impl, label in labels(result).items()
+    }

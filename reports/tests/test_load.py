@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: MIT
+from __future__ import annotations
+
+import copy
+
+import pytest
+
+from octocell_report.fields import ReportError
+from octocell_report.load import STAGES, Impl, Place, load, parse
+
+import synthetic
+from synthetic import group, row, skipped, wrong
+
+
+def one_row(**changes):
+    return synthetic.document([group("gas", 1000)], [row() | changes])
+
+
+def test_rows_come_through_with_their_values():
+    known = parse(one_row(fused={"resolve": "pair_tests"})).rows[0]
+    assert known.impl == Impl("impl_cpu", "home_phantom", "lowest_cell", 1)
+    assert known.place == Place("gas", 1000)
+    assert known.median_ms == 1.02
+    assert known.fused == {"resolve": "pair_tests"}
+    assert known.counts
+
+
+def test_stages_stand_in_the_order_in_which_they_run():
+    stages = {stage: [1.0] for stage in sorted(STAGES)} | {"extra": [1.0]}
+    assert list(parse(one_row(stage_ms=stages)).rows[0].stage_ms) == [*STAGES, "extra"]
+
+
+def test_backends_come_before_baselines_whatever_the_order_of_rows():
+    rows = [row("bullet_dbvt", None, None), row()]
+    result = parse(synthetic.document([group("gas", 1000)], rows))
+    assert [impl.backend for impl in result.impls] == ["impl_cpu", "bullet_dbvt"]
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [("{", "not JSON"), ("[]", "no field 'schema'"), ('{"schema": 2}', "schema 2 is not")],
+)
+def test_what_is_not_a_result_is_named(tmp_path, text, message):
+    path = tmp_path / "bad.json"
+    path.write_text(text)
+    with pytest.raises(ReportError, match=message) as error:
+        load(path)
+    assert str(path) in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+def test_a_missing_file_is_named(tmp_path):
+    with pytest.raises(ReportError, match=r"none\.json: cannot be read: No such file"):
+        load(tmp_path / "none.json")
+
+
+@pytest.mark.parametrize("field", sorted(set(row()) - {"iterations", "marked_total_ms"}))
+def test_a_row_that_lacks_a_field_is_named(field):
+    document = one_row()
+    name = document["rows"][0]["name"]
+    del document["rows"][0][field]
+    with pytest.raises(ReportError, match=f"row 0.*lacks the field '{field}'") as error:
+        parse(document)
+    assert field == "name" or name in str(error.value)
+
+
+@pytest.mark.parametrize("field", ["date", "dirty", "machine", "finished", "instruction_set"])
+def test_a_context_that_lacks_a_field_is_named(field):
+    document = one_row()
+    del document["context"][field]
+    with pytest.raises(ReportError, match=f"context: lacks the field '{field}'"):
+        parse(document)
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"n": "many"}, "field 'n' is \"many\", not a whole number"),
+        ({"threads": True}, "field 'threads' is true"),
+        ({"run": "hot"}, "one of cold, warm, update"),
+        ({"total_ms": []}, "has no round"),
+        ({"total_ms": [1.0, float("nan")]}, "not a list of times"),
+        ({"total_ms": [-1.0]}, "not a list of times"),
+        ({"stage_ms": {"sort": 3}}, "not an object of lists of times"),
+        ({"pairs": 7}, "says ok, but its pairs differ"),
+        ({"checksum": "0x0"}, "says ok, but its pairs differ"),
+        ({"missed": 1}, "says ok, but its pairs differ"),
+        ({"scene": "fog"}, "no group has scene fog"),
+        ({"status": "skipped"}, "field 'reason' is null, not text"),
+    ],
+)
+def test_a_row_with_a_bad_value_is_named(changes, message):
+    with pytest.raises(ReportError, match=message) as error:
+        parse(one_row(**changes))
+    assert str(error.value).startswith("row 0 (find_pairs/")
+
+
+def test_two_rows_of_one_name_are_an_error():
+    with pytest.raises(ReportError, match=r"row 1 .* an earlier row has the same name"):
+        parse(synthetic.document([group("gas", 1000)], [row(), row()]))
+
+
+def test_ok_without_a_truth_is_an_error():
+    document = one_row()
+    document["groups"][0]["truth"] = None
+    with pytest.raises(ReportError, match="no truth to be held against"):
+        parse(document)
+
+
+def test_a_skipped_row_needs_no_measurements():
+    document = one_row()
+    full = skipped(document["rows"][0], "too many")
+    bare = {k: v for k, v in full.items() if v is not None and v not in ([], {})}
+    for version in (full, bare | {"method": "home_phantom", "rule": None}):
+        document["rows"] = [copy.deepcopy(version)]
+        known = parse(document).rows[0]
+        assert known.total_ms == () and known.stage_ms == {}
+
+
+def test_a_wrong_row_may_not_know_its_losses():
+    document = one_row()
+    document["rows"] = [wrong(row(), missed=1) | {"missed": None, "false": None}]
+    assert parse(document).rows[0].status == "wrong"

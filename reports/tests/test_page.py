@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: MIT
+"""The built folder, the page in it, and the command's exit codes."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+
+import matplotlib.pyplot as plt
+import pandas as pd
+import pytest
+
+from octocell_report import check, findings, page, plots, style
+from octocell_report.cli import main
+from octocell_report.load import STAGES, parse
+
+import synthetic
+from synthetic import group, row, wrong
+
+PNG = b"\x89PNG\r\n"
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory):
+    """A folder built from every case; not to be changed."""
+    folder = tmp_path_factory.mktemp("built")
+    result, out = folder / "result.json", folder / "out"
+    result.write_text(json.dumps(synthetic.every_case()))
+    assert main(["build", str(result), "-o", str(out)]) == 0
+    return out
+
+
+def test_build_writes_every_plot_every_table_and_a_page(built):
+    names = {path.name for path in built.iterdir()}
+    assert names == page.owned_names() - {"speed_update.png"}
+    for path in built.glob("*.png"):
+        assert path.read_bytes().startswith(PNG)
+
+
+def test_the_page_needs_nothing_from_outside(built):
+    html = (built / "index.html").read_text()
+    sources = re.findall(r'src="(.{22})', html)
+    assert len(sources) == len(list(built.glob("*.png")))
+    assert set(sources) == {"data:image/png;base64,"}
+    assert not re.search(
+        r"(https?:)?//[a-z]|@import|<script|<link|url\(", re.sub(r'src="[^"]*"', "", html)
+    )
+
+
+def test_the_page_says_what_happened(built):
+    html = (built / "index.html").read_text()
+    assert "This run was interrupted." in html
+    assert "3 of" in html and "default rows are wrong." in html
+    assert "data/1A2C.pqr is not there: fetch it first" in html
+    assert "chapter32 needs radii within a factor of 2" in html
+    assert "wrong −3 +20 ×2" in html
+    assert "One size only, so no curve: giant." in html
+    assert "bullet_dbvt is wrong on poly 10k (−3 +20 ×2)." in html
+    assert "Example CPU 9000" in html and "0123456789ab" in html
+
+
+def test_the_page_tells_no_tale_of_an_interruption_that_was_not(every_case):
+    every_case["context"]["finished"] = True
+    assert "interrupted." not in page.render(parse(every_case), page.Path("nowhere"))
+
+
+def test_names_are_escaped(every_case):
+    every_case["context"]["machine"]["cpu"] = "<b>fast</b>"
+    assert "&lt;b&gt;fast" in page.render(parse(every_case), page.Path("nowhere"))
+
+
+def test_tables_hold_unrounded_numbers(built):
+    times = pd.read_csv(built / "times.csv")
+    mine = times.query("scene == 'gas' and n == 1000 and run == 'warm' and rule == 'lowest_cell'")
+    expected = synthetic.times(1.5e-4, 1.04, 1000)
+    assert mine.median_ms.item() == pytest.approx(expected[1], rel=1e-12)
+    assert mine.ns_per_sphere.item() == pytest.approx(expected[1] * 1e3)
+    slopes = pd.read_csv(built / "slopes.csv").query("scene == 'gas' and run == 'warm'")
+    assert slopes.set_index("implementation").slope["bullet_dbvt"] == pytest.approx(1.08)
+    ratios = pd.read_csv(built / "ratios.csv").query("scene == 'gas' and n == 1000")
+    bullet = ratios.query("run == 'warm' and against == 'bullet'").set_index("implementation")
+    law = 4e-4 * 1000**1.08 / (1.5e-4 * 1000**1.04)
+    assert bullet.times_as_fast_median["impl_cpu lowest_cell"] == pytest.approx(law)
+    assert "−3 +20 ×2" in (built / "correctness.csv").read_text()
+
+
+def test_old_plots_go_and_other_files_stay(built, save, tmp_path):
+    out = shutil.copytree(built, tmp_path / "out")
+    (out / "notes.txt").write_text("mine")
+    small = synthetic.document([group("gas", 1000)], [row()])
+    assert main(["build", str(save(small)), "-o", str(out)]) == 0
+    names = {path.name for path in out.iterdir()}
+    assert "notes.txt" in names and "correctness.png" in names
+    assert "time_warm.png" not in names and "skipped.csv" not in names
+    assert not [name for name in names if name.startswith(".")]
+
+
+@pytest.mark.parametrize("text", ["{", '{"schema": 9}', None])
+def test_bad_input_exits_2_and_writes_nothing(tmp_path, text, capsys):
+    path, out = tmp_path / "bad.json", tmp_path / "out"
+    if text is not None:
+        path.write_text(text)
+    for command in (["build", str(path), "-o", str(out)], ["check", str(path)]):
+        assert main(command) == 2
+        error = capsys.readouterr().err
+        assert error.startswith(f"octocell-report: {path}: ") and error.count("\n") == 1
+    assert not out.exists()
+
+
+def test_a_failure_half_way_leaves_the_folder_as_it_was(every_case, save, tmp_path, monkeypatch):
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / "index.html").write_text("old")
+
+    def fail(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(page, "render", fail)
+    assert main(["build", str(save(every_case)), "-o", str(out)]) == 2
+    assert [(p.name, p.read_text()) for p in out.iterdir()] == [("index.html", "old")]
+
+
+def test_an_output_that_is_a_file_is_an_error(every_case, save, tmp_path, capsys):
+    (tmp_path / "out").write_text("")
+    assert main(["build", str(save(every_case)), "-o", str(tmp_path / "out")]) == 2
+    assert "is not a folder" in capsys.readouterr().err
+
+
+def test_check_lists_wrong_rows_but_no_exhibits(every_case, save, capsys):
+    assert main(["check", str(save(every_case))]) == 1
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == 4  # cold, warm, update of one baseline, and the summary
+    assert all("backend:bullet_dbvt/" in line and "−3 +20 ×2" in line for line in lines[:3])
+    assert "interrupted" in lines[3] and "1A2C" in lines[3]
+
+
+def test_check_passes_with_one_line_when_only_exhibits_are_wrong(save, capsys):
+    rows = [row(), row(run="cold"), wrong(row(rule="as_written", exhibit=True), missed=9)]
+    assert main(["check", str(save(synthetic.document([group("gas", 1000)], rows)))]) == 0
+    assert capsys.readouterr().out == "All 2 default rows are exact. 0 skipped, 1 exhibits.\n"
+
+
+def test_check_does_not_pass_where_nothing_was_checked(save, capsys):
+    assert main(["check", str(save(synthetic.document([], [])))]) == 1
+    assert "nothing was checked" in capsys.readouterr().out
+
+
+def test_a_result_without_rows_still_makes_a_page(save, tmp_path):
+    assert main(["build", str(save(synthetic.document([], []))), "-o", str(tmp_path / "o")]) == 0
+    assert [path.name for path in (tmp_path / "o").iterdir()] == ["index.html"]
+
+
+def axes_of(document, name):
+    for found, figure in plots.draw_all(parse(document)):
+        if found == name:
+            return figure, [ax for ax in figure.axes if ax.get_visible()]
+    raise AssertionError(f"no plot {name}")
+
+
+def texts(figure):
+    return [t.get_text() for t in figure.findobj(plt.Text)]
+
+
+def test_time_has_a_facet_per_scene_of_two_sizes_and_no_line_for_exhibits(every_case):
+    _, axes = axes_of(every_case, "time_warm")
+    assert [ax.get_title(loc="left") for ax in axes] == ["gas", "poly"]
+    legend = [text.get_text() for text in axes[0].get_legend().get_texts()]
+    assert "impl_cpu lowest_cell   n^1.04" in legend
+    assert "impl_cpu as_written (exhibit)   −missed +false" in legend
+    assert not any("as_written" in entry and "n^" in entry for entry in legend)
+    assert "−334 +0" in [text.get_text() for text in axes[0].texts]
+
+
+def test_a_fused_stage_is_named(every_case):
+    figure, _ = axes_of(every_case, "stages_backend")
+    assert any("resolve is inside pair_tests" in text for text in texts(figure))
+
+
+def test_the_matrix_picture_holds_every_verdict(every_case):
+    figure, _ = axes_of(every_case, "correctness")
+    shown = {text.replace("\n", " ") for text in texts(figure)}
+    assert {"exact", "−3 +20 ×2", "−334 +0", "over limit", "no scene"} <= shown
+
+
+def test_one_look_per_implementation(every_case):
+    every_case["rows"] += [row(f"impl_{k}", name=f"extra {k}") for k in range(9)]
+    looks = style.looks(parse(every_case)).values()
+    assert len({(look.colour, str(look.line)) for look in looks}) == len(looks)
+    assert len({(look.colour, str(look.marker)) for look in looks}) == len(looks)
+
+
+def test_every_stage_has_a_colour_of_its_own():
+    assert len({style.stage_colour(stage) for stage in STAGES}) == len(STAGES)
+
+
+def test_sentences_come_from_the_numbers():
+    rows = [
+        row(total_ms=[1.0]),
+        row("fcl_a", None, None, total_ms=[3.0]),
+        row("bullet_a", None, None, total_ms=[0.5]),
+    ]
+    result = parse(synthetic.document([group("gas", 1000)], rows))
+    fcl, bullet = findings.speed(result, "warm")
+    assert fcl == (
+        "Warm, our fastest exact row is ahead of FCL's fastest in 1 of 1 groups: "
+        "3.00× as fast, median 3.00×."
+    )
+    assert "in 0 of 1 groups: 0.50×" in bullet
+    assert check.headline(check.judge(result)) == "All 3 default rows are exact."

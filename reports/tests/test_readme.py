@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: MIT
+from __future__ import annotations
+
+import pytest
+
+from octocell_report import readme
+from octocell_report.cli import main
+from octocell_report.fields import ReportError
+from octocell_report.load import parse
+
+import synthetic
+from synthetic import group, row, skipped, unavailable_group, wrong
+
+TEXT = """# Title
+<!-- octocell:speed -->
+stale words
+<!-- /octocell:speed -->
+between
+<!-- octocell:machine --><!-- /octocell:machine -->
+end"""
+
+
+@pytest.fixture
+def document():
+    rows = [
+        row(total_ms=[1.0, 1.0, 1.0]),
+        row(run="cold", total_ms=[2.0, 2.0, 2.0]),
+        wrong(row(rule="as_written", exhibit=True), missed=334),
+        skipped(row(method="brute_force", rule=None), "9 candidates, over the limit of 3"),
+        row("fcl_a", None, None, total_ms=[4.0, 5.0, 6.0]),
+        row("fcl_a", None, None, run="cold", total_ms=[9.0, 9.0, 9.0]),
+        row("fcl_b", None, None, total_ms=[40.0, 50.0, 60.0]),
+        row("fcl_b", None, None, run="cold", total_ms=[6.0, 6.0, 6.0]),
+        row("bullet_dbvt", None, None, total_ms=[3.0, 3.0, 3.0]),
+        row("bullet_dbvt", None, None, run="cold", total_ms=[1.0, 1.0, 1.0]),
+    ]
+    return synthetic.document([group("gas", 1000), unavailable_group()], rows)
+
+
+def cells(block, label):
+    line = next(line for line in block.splitlines() if line.startswith(f"| {label} |"))
+    return [cell.strip() for cell in line.strip("|").split("|")][1:]
+
+
+def test_speed_leads_with_ratios_cold_and_warm(document):
+    block = readme.speed(parse(document))
+    assert cells(block, "implementation") == [
+        "vs fastest FCL", "vs fastest Bullet", "vs bullet_dbvt", "cold [ms]", "warm [ms]"
+    ]  # fmt: skip
+    ours = ["3.00× / 5.00×", "0.50× / 3.00×", "0.50× / 3.00×", "2.00", "1.00"]
+    assert cells(block, "impl_cpu lowest_cell") == ours
+    assert "The fastest FCL is `fcl_b` (cold), `fcl_a` (warm)." in block
+    assert "The fastest Bullet is `bullet_dbvt`." in block
+
+
+def test_speed_gives_no_time_to_what_is_not_exact(document):
+    block = readme.speed(parse(document))
+    assert cells(block, "impl_cpu as_written (exhibit)") == ["exhibit −334 +0", *"––––"]
+    assert cells(block, "impl_cpu brute_force") == ["skipped: over limit", *"––––"]
+
+
+def test_correctness_has_a_cell_per_scene(document):
+    block = readme.correctness(parse(document))
+    assert cells(block, "implementation") == ["gas", "1A2C"]
+    assert cells(block, "impl_cpu lowest_cell") == ["exact", "not there"]
+    assert cells(block, "impl_cpu as_written (exhibit)") == ["**−334 +0** at 1k", "not there"]
+    assert cells(block, "impl_cpu brute_force") == ["skipped", "not there"]
+
+
+def test_correctness_says_how_many_sizes_were_exact(document):
+    document["groups"].append(group("gas", 2000))
+    document["rows"].append(row(n=2000))
+    block = readme.correctness(parse(document))
+    assert cells(block, "impl_cpu lowest_cell")[0] == "exact"
+    assert cells(block, "fcl_a")[0] == "exact, 1 of 2 sizes"
+
+
+def test_machine_is_one_line(document):
+    document["context"] |= {"dirty": True, "finished": False}
+    assert readme.machine(parse(document)) == (
+        "Example CPU 9000, 2 cores, 25 GB, Debian GNU/Linux 12; g++ 12.2.0 (Release, "
+        "`-O3 -march=native -DNDEBUG`); commit 0123456789ab with uncommitted changes; 2026-01-02; "
+        "run interrupted."
+    )
+
+
+def test_only_what_stands_between_markers_changes(document):
+    fresh, differing = readme.filled(parse(document), TEXT)
+    assert differing == ["speed", "machine"]
+    assert fresh.startswith("# Title\n<!-- octocell:speed -->\n| implementation |")
+    assert "stale words" not in fresh
+    assert ".\n<!-- /octocell:speed -->\nbetween\n<!-- octocell:machine -->\nExample" in fresh
+    assert fresh.endswith("<!-- /octocell:machine -->\nend")
+    assert readme.filled(parse(document), fresh) == (fresh, [])
+
+
+def test_line_ends_stay_as_they_are(document):
+    fresh, _ = readme.filled(parse(document), TEXT.replace("\n", "\r\n"))
+    assert fresh.count("\n") == fresh.count("\r\n") > 5
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("a\n<!-- octocell:sped -->", "line 2: unknown marker 'octocell:sped'; known: speed"),
+        ("<!-- octocell:speed -->", "line 1: marker 'octocell:speed' is never closed"),
+        ("<!-- /octocell:speed -->", "line 1: ends 'speed', which is not open"),
+        ("<!-- octocell:speed --><!-- octocell:machine -->", "'speed' is still open"),
+        ("<!-- octocell:speed --><!-- /octocell:machine -->", "ends 'machine', which is not open"),
+        ("no markers", "has no octocell markers"),
+    ],
+)
+def test_bad_markers_are_errors(document, text, message):
+    with pytest.raises(ReportError, match=message):
+        readme.filled(parse(document), text)
+
+
+def test_speed_without_its_scene_is_an_error():
+    document = synthetic.document([group("fog", 1000)], [row(scene="fog")])
+    with pytest.raises(ReportError, match="needs the scene gas"):
+        readme.speed(parse(document))
+
+
+def test_the_command_rewrites_checks_and_leaves_nothing_beside(document, save, tmp_path, capsys):
+    path, result = tmp_path / "README.md", save(document)
+    path.write_text(TEXT)
+    path.chmod(0o640)
+    assert main(["readme", str(result), str(path), "--check"]) == 1
+    assert path.read_text() == TEXT
+    assert "differs" in capsys.readouterr().out
+    assert main(["readme", str(result), str(path)]) == 0
+    assert main(["readme", str(result), str(path), "--check"]) == 0
+    assert path.stat().st_mode & 0o777 == 0o640
+    path.write_text(path.read_text().replace("5.00×", "50.0×"))
+    assert main(["readme", str(result), str(path), "--check"]) == 1
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["README.md", "result.json"]
+
+
+def test_an_unknown_marker_leaves_the_file_alone(document, save, tmp_path, capsys):
+    path, text = tmp_path / "README.md", TEXT + "<!-- octocell:weather -->"
+    path.write_text(text)
+    assert main(["readme", str(save(document)), str(path)]) == 2
+    assert path.read_text() == text
+    assert "unknown marker 'octocell:weather'" in capsys.readouterr().err
