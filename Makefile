@@ -5,6 +5,8 @@ PRESET ?= release
 VENV := .venv
 PYTHON := $(VENV)/bin/python
 RESULT ?= reports/out/bench.json
+# Strict where changes are checked, lenient with compilers yet unborn.
+WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
 .PHONY: help setup build test bench bench-full report readme sanitize clean
@@ -16,7 +18,7 @@ setup: ## Install what is missing: compilers, libraries, a Python environment, t
 	@scripts/setup.sh
 
 build: setup ## Build build/octocell and the tests, no more
-	@cmake --preset $(PRESET) -B $(BUILD) >/dev/null
+	@cmake --preset $(PRESET) -B $(BUILD) -DOCTOCELL_WERROR=$(WERROR) >/dev/null
 	@cmake --build $(BUILD)
 
 test: build ## Run all tests
@@ -40,7 +42,7 @@ readme: setup ## Write README's tables from RESULT, a committed JSON
 
 sanitize: setup ## Build and test with ASan + UBSan, then with TSan
 	@for kind in asan tsan; do \
-	  cmake --preset $$kind >/dev/null && cmake --build build-$$kind && \
+	  cmake --preset $$kind -DOCTOCELL_WERROR=$(WERROR) >/dev/null && cmake --build build-$$kind && \
 	  ctest --preset $$kind || exit 1; \
 	done
 

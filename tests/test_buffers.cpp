@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/driver/complete.hpp"
+#include "harness/driver/memory_guard.hpp"
 #include "harness/interface/error.hpp"
 #include "harness/reference/reference.hpp"
 #include "harness/registry/registry.hpp"
@@ -76,6 +77,19 @@ INSTANTIATE_TEST_SUITE_P(Implementations, Buffers, testing::ValuesIn(implementat
                            for (char& c : name) c = std::isalnum(c) ? c : '_';
                            return name;
                          });
+
+TEST(MemoryGuard, NamesWhatIsNeededAndRefusesNothingThatFits) {
+  Plan plan;
+  EXPECT_NO_THROW(require_memory(plan));
+  plan.capacity.pairs = std::uint64_t{1} << 50;
+  try {
+    require_memory(plan);
+    FAIL() << "accepted";
+  } catch (const LimitError& refusal) {
+    EXPECT_NE(std::string(refusal.what()).find("8388608.0 GiB"), std::string::npos)
+        << refusal.what();
+  }
+}
 
 TEST(Update, AnswersForTheSpheresAsTheyAreNow) {
   const Scene before = generate("dense:n=3000,seed=1");

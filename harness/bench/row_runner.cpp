@@ -72,9 +72,15 @@ StageTimes RowRunner::run_cold(HostClock::Marks marks) {
   return times;
 }
 
+void RowRunner::build_untimed() {
+  HostClock unread(HostClock::Marks::off);
+  finder_->find_pairs(unread);
+}
+
 StageTimes RowRunner::run_once(HostClock::Marks marks) {
   if (row_.run == Run::cold) return run_cold(marks);
-  if (row_.run == Run::update) finder_->update(subject_.scene);
+  if (row_.run == Run::first_update) build_untimed();
+  if (row_.run != Run::warm) finder_->update(subject_.scene);
   HostClock clock(marks);
   finder_->find_pairs(clock);
   return clock.stop();

@@ -57,6 +57,7 @@ class RowRunner {
 
  private:
   StageTimes run_once(HostClock::Marks marks);
+  void build_untimed();
   StageTimes run_cold(HostClock::Marks marks);
   void check_digest();
   void record_stages(const StageTimes& times);

@@ -43,7 +43,9 @@ std::vector<RowSpec> rows_of(const Group& group, std::string_view backend,
       rows.push_back({how, threads, Run::cold});
       rows.push_back({how, threads, Run::warm});
     }
-    if (how.is_baseline() && group.slow_rows) rows.push_back({how, 1, Run::update});
+    if (!how.is_baseline() || !group.slow_rows) continue;
+    rows.push_back({how, 1, Run::first_update});
+    rows.push_back({how, 1, Run::update});
   }
   std::erase_if(
       rows, [&](const RowSpec& row) { return !std::regex_search(row_name(row, group), filter); });

@@ -14,11 +14,12 @@ namespace octocell::bench {
 
 /// What a measurement starts from.
 enum class Run : std::uint8_t {
-  cold,    // nothing: create, plan, allocate, find; freed memory was given back to the system
-  warm,    // buffers and objects stand and were touched; everything is found anew
-  update,  // baselines: the structure stands, every sphere is announced anew, then all pairs
+  cold,          // nothing: create, plan, allocate, find; freed memory was given back to the system
+  warm,          // buffers and objects stand and were touched; everything is found anew
+  first_update,  // baselines: as update, the first after the structure was built
+  update,        // baselines: the structure stands, every sphere is announced anew, then all pairs
 };
-inline constexpr std::string_view kRunNames[] = {"cold", "warm", "update"};
+inline constexpr std::string_view kRunNames[] = {"cold", "warm", "first_update", "update"};
 inline std::string_view name_of(Run run) { return kRunNames[static_cast<std::size_t>(run)]; }
 
 /// One row of the results.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "harness/driver/complete.hpp"
 
+#include "harness/driver/memory_guard.hpp"
 #include "harness/interface/error.hpp"
 
 namespace octocell {
@@ -17,6 +18,7 @@ Outcome complete(PairFinder& finder, SceneView scene, Plan plan, StageClock& clo
     const bool enough = fits(outcome.counts, plan.capacity, plan.count_only);
     if (enough || outcome.counts.over_candidate_limit) break;
     plan = grow(plan, outcome.counts);
+    require_memory(plan);
   }
   outcome.plan = plan;
   return outcome;

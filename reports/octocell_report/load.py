@@ -29,7 +29,7 @@ from octocell_report.fields import (
 )
 
 SCHEMA = 1
-RUNS = ("cold", "warm", "update")
+RUNS = ("cold", "warm", "first_update", "update")
 STATUSES = ("ok", "wrong", "skipped")
 KINDS = ("backend", "baseline")
 # In the order in which they run; the JSON may hold them in any.

@@ -30,6 +30,11 @@ _HEADINGS = {
         "Time against size, cold",
         "Cold: create, plan, allocate and find, all from nothing.",
     ),
+    "time_first_update": (
+        "Time against size, first update",
+        "As update, but the first one after the structure was built: trees whose boxes grow on "
+        "first contact pay for it here.",
+    ),
     "time_update": (
         "Time against size, update",
         "Update: the baseline's structure stands, every sphere is announced again, then all pairs "
@@ -55,6 +60,10 @@ _HEADINGS = {
         "cancels. The reference is the library's fastest exact row of that group, named in grey.",
     ),
     "speed_cold": ("Speed against the baselines, cold", "The same, all from nothing."),
+    "speed_first_update": (
+        "Speed against the baselines, first update",
+        "The same, for the first update after building.",
+    ),
     "speed_update": ("Speed against the baselines, update", "The same, structures standing."),
     "correctness": (
         "Correctness",

@@ -10,7 +10,7 @@ from statistics import median
 import numpy as np
 
 from octocell_report import words
-from octocell_report.load import Group, Impl, Place, Result, Row
+from octocell_report.load import RUNS, Group, Impl, Place, Result, Row
 
 
 def curves(result: Result, scene: str, run: str) -> dict[Impl, list[Row]]:
@@ -173,6 +173,6 @@ def candidates_per_pair(result: Result, row: Row) -> float:
 
 
 def runs(result: Result) -> list[str]:
-    """Which of cold, warm, update the result holds."""
+    """Which kinds of run the result holds."""
     held = {row.run for row in result.rows}
-    return [run for run in ("cold", "warm", "update") if run in held]
+    return [run for run in RUNS if run in held]

@@ -16,11 +16,11 @@ from octocell_report.style import Look
 
 # Every name that draw_all() may use: a build replaces or removes these and nothing else.
 NAMES = (
-    *(f"time_{run}" for run in ("warm", "cold", "update")),
+    *(f"time_{run}" for run in ("warm", "cold", "first_update", "update")),
     "stages_backend",
     "stages_baseline",
     "stages_per_sphere",
-    *(f"speed_{run}" for run in ("warm", "cold", "update")),
+    *(f"speed_{run}" for run in ("warm", "cold", "first_update", "update")),
     "correctness",
     "memory",
 )

@@ -19,6 +19,7 @@ from octocell_report.style import Look
 MEANING = {
     "cold": "cold: everything made from nothing",
     "warm": "warm: found from nothing, in memory already touched",
+    "first_update": "first update: as update, the first after the structure was built",
     "update": "update: structure stands, every sphere re-announced",
 }
 
