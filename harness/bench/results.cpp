@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "harness/bench/results.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 
 #include "harness/interface/error.hpp"
@@ -90,10 +90,9 @@ void Results::require_writable() const {
     if (access(path_.c_str(), W_OK) != 0) refuse(std::strerror(errno));
     return;
   }
-  const int probe = open(path_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-  if (probe < 0) refuse(std::strerror(errno));
-  close(probe);
-  unlink(path_.c_str());
+  if (errno != ENOENT) refuse(std::strerror(errno));
+  const std::string folder = std::filesystem::path(path_).parent_path().string();
+  if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0) refuse(std::strerror(errno));
 }
 
 void Results::refuse(const char* reason) const {

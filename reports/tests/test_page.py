@@ -51,7 +51,7 @@ def test_the_page_needs_nothing_from_outside(built):
 def test_the_page_says_what_happened(built):
     html = (built / "index.html").read_text()
     assert "This run was interrupted." in html
-    assert "3 of" in html and "default rows are wrong." in html
+    assert "4 of" in html and "default rows are wrong." in html
     assert "data/1A2C.pqr is not there: fetch it first" in html
     assert "chapter32 needs radii within a factor of 2" in html
     assert "wrong −3 +20 ×2" in html
@@ -130,7 +130,7 @@ def test_an_output_that_is_a_file_is_an_error(every_case, save, tmp_path, capsys
 def test_check_lists_wrong_rows_but_no_exhibits(every_case, save, capsys):
     assert main(["check", str(save(every_case))]) == 1
     lines = capsys.readouterr().out.splitlines()
-    assert len(lines) == 4  # cold, warm, update of one baseline, and the summary
+    assert len(lines) == 5  # cold, warm, update of one baseline, and the summary
     assert all("backend:bullet_dbvt/" in line and "−3 +20 ×2" in line for line in lines[:3])
     assert "interrupted" in lines[3] and "1A2C" in lines[3]
 
