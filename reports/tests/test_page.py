@@ -130,9 +130,9 @@ def test_an_output_that_is_a_file_is_an_error(every_case, save, tmp_path, capsys
 def test_check_lists_wrong_rows_but_no_exhibits(every_case, save, capsys):
     assert main(["check", str(save(every_case))]) == 1
     lines = capsys.readouterr().out.splitlines()
-    assert len(lines) == 5  # cold, warm, update of one baseline, and the summary
-    assert all("backend:bullet_dbvt/" in line and "−3 +20 ×2" in line for line in lines[:3])
-    assert "interrupted" in lines[3] and "1A2C" in lines[3]
+    assert len(lines) == 5  # cold, warm, first and later update of one baseline, and the summary
+    assert all("backend:bullet_dbvt/" in line and "−3 +20 ×2" in line for line in lines[:4])
+    assert "interrupted" in lines[4] and "1A2C" in lines[4]
 
 
 def test_check_passes_with_one_line_when_only_exhibits_are_wrong(save, capsys):
