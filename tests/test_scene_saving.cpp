@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstring>
 
+#include "harness/scenes/deferred_signals.hpp"
 #include "harness/scenes/save.hpp"
 #include "tests/scene_folder.hpp"
 
@@ -108,6 +109,22 @@ TEST_F(SceneSaving, FailureInTheMiddleLeavesNothingAndKeepsTheOldFile) {
   }
   EXPECT_EQ(content(old_file), "precious");
   EXPECT_EQ(files_in_folder(), 1U);
+}
+
+volatile std::sig_atomic_t signals_seen = 0;
+
+TEST(DeferredSignals, TakeEffectAtTheEndAndOnce) {
+  const auto before = std::signal(SIGTERM, [](int) { signals_seen = signals_seen + 1; });
+  signals_seen = 0;
+  {
+    const DeferredSignals deferred;
+    std::raise(SIGTERM);
+    EXPECT_EQ(signals_seen, 0);
+  }
+  EXPECT_EQ(signals_seen, 1);
+  { const DeferredSignals nothing_happens; }
+  EXPECT_EQ(signals_seen, 1);
+  std::signal(SIGTERM, before);
 }
 
 TEST_F(SceneSaving, OldFileIsReplacedAndKeepsItsPermissionsAndLinks) {

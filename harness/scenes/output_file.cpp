@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "harness/interface/error.hpp"
+#include "harness/scenes/deferred_signals.hpp"
 
 namespace octocell {
 namespace {
@@ -98,6 +99,7 @@ std::string resolve_link(const std::string& path) {
 }
 
 void replace(const std::string& path, const struct stat* existing, Parts parts) {
+  const DeferredSignals until_no_temporary_is_left;
   const std::string target = resolve_link(path);
   OutputFile file = create_beside(path, target);
   write_parts(path, file, parts);
