@@ -40,8 +40,7 @@ class PairList {
   std::atomic<std::uint64_t> checksum_ = 0;
 };
 
-/// One thread's way into a list of pairs: 8 KiB at a time.
+/// One thread's way into the list: 8 KiB at a time.
 using PairWriter = ListWriter<Pair, 1024, PairList>;
-using DoubtWriter = ListWriter<Pair, 1024>;
 
 }  // namespace octocell::cpu

@@ -26,6 +26,9 @@ class SharedList {
     std::copy(items.begin(), items.end(), items_.data() + at);
   }
 
+  /// As append(), but nothing is kept.
+  void count(std::uint64_t items) { size_.fetch_add(items, std::memory_order_relaxed); }
+
   /// Items appended, written or not.
   [[nodiscard]] std::uint64_t size() const { return size_.load(std::memory_order_relaxed); }
   [[nodiscard]] bool complete() const { return size() <= items_.capacity(); }

@@ -54,10 +54,25 @@ struct AsWritten {
   }
 };
 
+/// Doubts are kept for stage 6, or resolved block by block where nothing may be kept.
+class DoubtSink {
+ public:
+  explicit DoubtSink(Workspace& w) : w_(w) {}
+  void append(std::span<const Pair> doubts) {
+    if (!w_.plan.count_only) return w_.doubts.append(doubts);
+    w_.doubts.count(doubts.size());
+    resolve_block(w_, doubts);
+  }
+
+ private:
+  Workspace& w_;
+};
+
 template <Band band, typename RuleTest>
 class PairTester {
  public:
-  PairTester(Workspace& w, RuleTest rule) : w_(w), rule_(rule), sure_(w.pairs), doubts_(w.doubts) {}
+  PairTester(Workspace& w, RuleTest rule)
+      : w_(w), rule_(rule), sure_(w.pairs), doubt_sink_(w), doubts_(doubt_sink_) {}
 
   void load_cell(Tile& tile, std::uint64_t begin, std::uint64_t count) const {
     const Object* objects = w_.ids[w_.current].objects.data();
@@ -113,7 +128,8 @@ class PairTester {
   Workspace& w_;
   RuleTest rule_;
   PairWriter sure_;
-  DoubtWriter doubts_;
+  DoubtSink doubt_sink_;
+  ListWriter<Pair, 1024, DoubtSink> doubts_;
 };
 
 /// All tile pairs of `count` members, tile rows shared out among the threads.

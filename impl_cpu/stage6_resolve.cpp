@@ -8,16 +8,21 @@
 
 namespace octocell::cpu {
 
+void resolve_block(Workspace& w, std::span<const Pair> doubts) {
+  const std::span<const Sphere> spheres = w.scene.spheres;
+  PairWriter pairs(w.pairs);
+  for (const Pair& pair : doubts) {
+    if (overlap_exact(spheres[pair.i], spheres[pair.j])) pairs.push(pair);
+  }
+}
+
 void resolve(Workspace& w) {
   constexpr std::uint64_t kDoubtsPerBlock = 4096;
+  if (w.plan.count_only) return;  // stage 5 had them resolved block by block
   const std::span<const Pair> doubts = w.doubts.items();
-  const std::span<const Sphere> spheres = w.scene.spheres;
   w.threads->for_blocks(doubts.size(), kDoubtsPerBlock,
                         [&](std::uint64_t begin, std::uint64_t end) {
-                          PairWriter pairs(w.pairs);
-                          for (const Pair& pair : doubts.subspan(begin, end - begin)) {
-                            if (overlap_exact(spheres[pair.i], spheres[pair.j])) pairs.push(pair);
-                          }
+                          resolve_block(w, doubts.subspan(begin, end - begin));
                         });
 }
 

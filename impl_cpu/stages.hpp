@@ -56,7 +56,7 @@ struct Workspace {
   Buffer<chapter32::ControlBits> control_bits;  // [spheres], rule chapter32 only
   SharedList<CellEntry> cells;
   SharedList<std::uint32_t> crowded_cells;  // indices into cells: too large for one tile
-  SharedList<Pair> doubts;
+  SharedList<Pair> doubts;                  // in a count_only plan only counted: see resolve()
   PairList pairs;
 
   std::uint64_t candidates = 0;
@@ -75,5 +75,9 @@ void sort(Workspace& w);
 void cell_index(Workspace& w);
 void pair_tests(Workspace& w);
 void resolve(Workspace& w);
+
+/// Decides a few doubts at once. A count_only plan, which must not need memory in proportion to
+/// its pairs, has stage 5 call this for each full block instead of storing it for stage 6.
+void resolve_block(Workspace& w, std::span<const Pair> doubts);
 
 }  // namespace octocell::cpu

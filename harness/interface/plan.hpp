@@ -64,10 +64,10 @@ struct Counts {
   std::optional<std::string> plan_violation = {};
 };
 
-/// True if every buffer was large enough.
+/// True if every buffer was large enough. A count_only plan keeps neither doubts nor pairs.
 inline bool fits(const Counts& found, const Capacities& room, bool count_only) {
-  return found.ids <= room.ids && found.cells <= room.cells && found.doubts <= room.doubts &&
-         (count_only || found.pairs <= room.pairs);
+  return found.ids <= room.ids && found.cells <= room.cells &&
+         (count_only || (found.doubts <= room.doubts && found.pairs <= room.pairs));
 }
 
 }  // namespace octocell

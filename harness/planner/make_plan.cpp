@@ -79,7 +79,7 @@ Capacities first_capacities(const SceneStats& stats, const Plan& plan) {
     room.cells = room.ids / 2 + 1;
   }
   room.pairs = pair_capacity(stats.facts.sphere_count, plan.count_only);
-  room.doubts = pair_capacity(stats.facts.sphere_count, false);
+  room.doubts = room.pairs;
   return room;
 }
 
@@ -130,8 +130,9 @@ Plan grow(const Plan& plan, const Counts& found) {
   Plan next = plan;
   next.capacity.ids = std::max(plan.capacity.ids, found.ids);
   next.capacity.cells = std::max({plan.capacity.cells, found.cells, next.capacity.ids / 2 + 1});
+  if (plan.count_only) return next;
   next.capacity.doubts = std::max(plan.capacity.doubts, found.doubts);
-  if (!plan.count_only) next.capacity.pairs = std::max(plan.capacity.pairs, found.pairs);
+  next.capacity.pairs = std::max(plan.capacity.pairs, found.pairs);
   return next;
 }
 
