@@ -5,6 +5,7 @@ PRESET ?= release
 VENV := .venv
 PYTHON := $(VENV)/bin/python
 RESULT ?= reports/out/bench.json
+PUBLISHED := reports/results/epyc-zen5-2core/quick.json
 # Strict where changes are checked, lenient with compilers yet unborn.
 WERROR := $(if $(CI),ON,OFF)
 
@@ -23,6 +24,7 @@ build: setup ## Build build/octocell and the tests, no more
 
 test: build ## Run all tests
 	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j "$$(nproc)"
+	@$(PYTHON) -m octocell_report readme $(PUBLISHED) README.md --check
 	@OCTOCELL_BIN=$(BUILD)/octocell $(PYTHON) -m pytest -q
 
 bench: build ## Time our CPU backend beside FCL and Bullet (minutes), check every row, draw the report
@@ -37,8 +39,8 @@ report: setup ## Draw plots and the page again from RESULT (default reports/out/
 	@$(PYTHON) -m octocell_report build $(RESULT) -o reports/out
 	@echo "open reports/out/index.html"
 
-readme: setup ## Write README's tables from RESULT, a committed JSON
-	@$(PYTHON) -m octocell_report readme $(RESULT) README.md
+readme: setup ## Write README's tables from the published result
+	@$(PYTHON) -m octocell_report readme $(PUBLISHED) README.md
 
 sanitize: setup ## Build and test with ASan + UBSan, then with TSan
 	@for kind in asan tsan; do \
