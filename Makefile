@@ -15,7 +15,7 @@ WERROR := $(if $(CI),ON,OFF)
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
-setup: ## Install what is missing: compilers, libraries, a Python environment, the molecule
+setup: ## Install what is missing: compilers, libraries, a Python environment, real scenes
 	@scripts/setup.sh
 
 build: setup ## Build build/octocell and the tests, no more
