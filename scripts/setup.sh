@@ -46,6 +46,16 @@ make_python_environment() {
   echo "$wanted" >.venv/octocell-pins
 }
 
+# Scenes of what was fetched, made once; what could not be fetched is no error.
+import_scene() {  # FILE, options of octocell-import ...
+  local file=$1 scene=${1%.*}.npy
+  [ -f "$file" ] && [ ! "$scene" -nt "$file" ] || return 0
+  .venv/bin/octocell-import "$@" -o "$scene" >/dev/null
+  say "$scene made of $file"
+}
+
 install_packages
 make_python_environment
 .venv/bin/python scripts/fetch_data.py
+import_scene data/adk_oplsaa.gro --radius MW=0  # the water's fourth site: charge without size
+import_scene data/bigbox.gro

@@ -23,9 +23,9 @@ BACKEND_STAGES = ["bounds", "cell_ids", "sort", "cell_index", "pair_tests", "res
 CONTEXT = """date commit dirty version machine compiler flags instruction_set build_type libraries
 preset rounds candidate_limit finished""".split()
 GROUP = "scene n spec real unavailable truth".split()
-ROW = """name backend kind method rule scene n threads run exhibit status reason pairs checksum
-missed false duplicates candidates doubts iterations total_ms stage_ms marked_total_ms plan_ms
-fused peak_bytes output_bytes""".split()
+ROW = """name backend kind method rule scene n threads run exhibit known_faults status reason pairs
+checksum missed false duplicates candidates doubts iterations total_ms stage_ms marked_total_ms
+plan_ms fused peak_bytes output_bytes""".split()
 
 Json = dict[str, Any]
 

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: MIT
+"""The one error of this package, and how it shows what it found."""
+
+from __future__ import annotations
+
+LONGEST = 60
+
+
+class InputError(Exception):
+    """Input that cannot be used; the message is one line for people."""
+
+
+def quote(text: str) -> str:
+    """At most LONGEST characters, all of them printable."""
+    shown = ascii(text.strip())
+    return shown if len(shown) <= LONGEST else f"{shown[:LONGEST]}..."
