@@ -10,7 +10,7 @@ PUBLISHED := reports/results/epyc-zen5-2core/quick.json
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build test bench bench-full report readme sanitize clean
+.PHONY: help setup build test bench bench-full bench-sort report readme sanitize cuda-toolkit clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -35,6 +35,10 @@ bench-full: build ## The same at every size (about an hour)
 	@$(BUILD)/octocell bench --preset full -o $(RESULT)
 	@$(MAKE) --no-print-directory report
 
+bench-sort: build ## Time our radix sort beside the sorts of libraries (a minute), draw the plots
+	@$(BUILD)/octocell bench-sort -o reports/out/sort.json
+	@$(PYTHON) -m octocell_report sort reports/out/sort.json -o reports/out
+
 report: setup ## Draw plots and the page again from RESULT (default reports/out/bench.json)
 	@$(PYTHON) -m octocell_report build $(RESULT) -o reports/out
 	@echo "open reports/out/index.html"
@@ -47,6 +51,9 @@ sanitize: setup ## Build and test with ASan + UBSan, then with TSan
 	  cmake --preset $$kind -DOCTOCELL_WERROR=$(WERROR) >/dev/null && cmake --build build-$$kind && \
 	  ctest --preset $$kind || exit 1; \
 	done
+
+cuda-toolkit: ## Make a CUDA toolkit (nvcc and Thrust) in .cuda/, where the machine has none
+	@scripts/cuda_toolkit.sh
 
 clean: ## Remove everything that was built or drawn
 	rm -rf build build-* reports/out

@@ -3,6 +3,10 @@
 // that is timed. A baseline adds how its library does each.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <utility>
+
 #include "baselines/candidate_sink.hpp"
 
 namespace octocell::baselines {
@@ -22,12 +26,18 @@ class BaselineFinder : public PairFinder {
     }
     scene_ = scene;
     moved_ = true;
+    pairs_ahead_ = pairs_ahead();
   }
 
   void find_pairs(StageClock& clock) final {
+    sink_.begin(scene_);
+    if (auto reason = why_impossible()) {
+      sink_.refuse(std::move(*reason));
+      return leave_undone(clock);
+    }
+    if (!sink_.allows(pairs_ahead_)) return leave_undone(clock);
     const bool follows = standing_ && moved_;
     if (standing_ && !follows) tear_down();
-    sink_.begin(scene_);
     clock.start();
     if (follows) {
       follow();
@@ -51,6 +61,11 @@ class BaselineFinder : public PairFinder {
   virtual void make_objects() {}
   /// Untimed: can the standing structure be brought to this scene, of as many spheres as before?
   virtual bool can_follow(SceneView) { return true; }
+  /// Untimed: why the library cannot hold this scene, in one line; nothing if it can.
+  virtual std::optional<std::string> why_impossible() { return std::nullopt; }
+  /// Untimed: how many pairs the library will compare on this scene, where that is known beforehand
+  /// and can be far more than the candidates it reports; 0 where it is not.
+  virtual std::uint64_t pairs_ahead() { return 0; }
   /// Untimed: back to nothing, so that the next build() starts from there.
   virtual void tear_down() = 0;
   /// Timed: from nothing to a structure that can be asked; or refuses by sink().refuse().
@@ -73,10 +88,18 @@ class BaselineFinder : public PairFinder {
     scene_ = scene;
     standing_ = moved_ = false;
     make_objects();
+    pairs_ahead_ = pairs_ahead();
+  }
+
+  void leave_undone(StageClock& clock) {
+    if (standing_) tear_down();
+    standing_ = moved_ = false;
+    clock.start();
   }
 
   SceneView scene_;
   CandidateSink sink_;
+  std::uint64_t pairs_ahead_ = 0;
   bool standing_ = false;  // a structure of an earlier find_pairs() is there
   bool moved_ = false;     // and the spheres are no longer where it has them
 };

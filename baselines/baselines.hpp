@@ -15,10 +15,23 @@ std::unique_ptr<PairFinder> make_fcl_dynamic_aabb_tree_morton();
 std::unique_ptr<PairFinder> make_fcl_dynamic_aabb_tree_array();
 std::unique_ptr<PairFinder> make_fcl_dynamic_aabb_tree_array_morton();
 
+// FCL's other managers. Some lose pairs of boxes that only touch (README.md).
+std::unique_ptr<PairFinder> make_fcl_sap();
+std::unique_ptr<PairFinder> make_fcl_ssap();
+std::unique_ptr<PairFinder> make_fcl_interval_tree();
+std::unique_ptr<PairFinder> make_fcl_spatial_hashing();
+std::unique_ptr<PairFinder> make_fcl_naive();
+/// With cells that begin where the scene's box begins: no row, only to show what is lost then.
+std::unique_ptr<PairFinder> make_fcl_spatial_hashing_aligned();
+
 // Bullet 3.24: pairs found on insertion (default), or in one tree-tree pass (m_deferedcollide).
 std::unique_ptr<PairFinder> make_bullet_dbvt_broadphase();
 std::unique_ptr<PairFinder> make_bullet_dbvt_broadphase_deferred();
 std::unique_ptr<PairFinder> make_bullet_dbvt();
+
+std::unique_ptr<PairFinder> make_bullet_axis_sweep();
+std::unique_ptr<PairFinder> make_bullet_axis_sweep_32();
+std::unique_ptr<PairFinder> make_bullet_simple();
 
 /// Of the libraries that are linked, such as "0.7.0" and "3.24".
 std::string fcl_version();

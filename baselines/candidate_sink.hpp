@@ -30,6 +30,15 @@ class CandidateSink {
     checksum_beyond_room_ = 0;
   }
 
+  /// Before the work starts: the library is going to compare this many pairs, whatever it finds.
+  /// Returns false if that is more than the plan allows; the caller then does not start.
+  bool allows(std::uint64_t pairs_ahead) {
+    if (pairs_ahead <= candidate_limit_) return true;
+    counts_.candidates = pairs_ahead;
+    counts_.over_candidate_limit = true;
+    return false;
+  }
+
   /// Tests one candidate, a != b, in any order. Returns false once there were more candidates than
   /// the plan allows; the caller then stops.
   bool test(std::uint32_t a, std::uint32_t b) {

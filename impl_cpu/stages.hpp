@@ -7,6 +7,7 @@
 #include <string>
 
 #include "harness/interface/chapter32.hpp"
+#include "harness/interface/object_word.hpp"
 #include "harness/interface/plan.hpp"
 #include "impl_cpu/pair_list.hpp"
 #include "impl_cpu/shared_list.hpp"
@@ -14,25 +15,8 @@
 
 namespace octocell::cpu {
 
-/// The sorted value: a sphere's id with four control bits above it.
-///   bit 31      this cell is a phantom cell of the sphere
-///   bits 28-30  per axis (x, y, z): this cell is the lowest one that the sphere meets
-using Object = std::uint32_t;
-inline constexpr int kLowestShift = 28;
-inline constexpr Object kIdMask = (1U << kLowestShift) - 1;
-inline constexpr Object kLowestMask = 7U << kLowestShift;
-inline constexpr Object kPhantom = 1U << 31;
-static_assert(kMaxSpheres == kIdMask + 1ULL);
-
 /// Stage 5 works on tiles of this many spheres; cells with more are shared out among the threads.
 inline constexpr std::size_t kTileSpheres = 1024;
-
-/// A run of the sorted arrays: one cell's homes, then its phantoms.
-struct CellEntry {
-  std::uint32_t begin;
-  std::uint32_t homes;
-  std::uint32_t phantoms;
-};
 
 /// Cell ids with their objects. Sorting moves them between two of these.
 struct IdArrays {

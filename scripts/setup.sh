@@ -12,6 +12,9 @@ packages=(
   libfcl-dev libbullet-dev  # the baselines
   python3-venv    # the reports
 )
+# Thrust's headers come with a CUDA toolkit; where there is none, from Debian.
+command -v nvcc >/dev/null || [ -x "${CUDA_HOME:-/usr/local/cuda}/bin/nvcc" ] || [ -x .cuda/bin/nvcc ] ||
+  packages+=(libthrust-dev)
 
 say() { echo "setup: $*"; }
 

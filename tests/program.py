@@ -57,6 +57,11 @@ class Octocell:
         assert found, f"`octocell list` has no section {section}:\n{text}"
         return re.findall(r"^  (\w+) ", found[1], re.MULTILINE)
 
+    def faulty(self) -> set[str]:
+        """Baselines that may lose pairs, by a fault that `octocell list` names."""
+        text = self.ok("list").stdout
+        return set(re.findall(r"^  (\w+) .*\n      known fault: ", text, re.MULTILINE))
+
     def implementations(self) -> list[tuple[str, ...]]:
         """The flags of `find` for each row of `check`."""
         rows: list[tuple[str, ...]] = []

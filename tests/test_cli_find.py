@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -68,10 +69,16 @@ def test_every_implementation_agrees_or_says_why_not(
 ) -> None:
     path, spheres = hard_scene
     truth = exact_pairs(spheres)
+    faulty = octocell.faulty()
     for how in octocell.implementations():
         if "as_written" in how:
             continue
         result = octocell.run("find", path, *how)
+        if how[1] in faulty and result.rc == 0:
+            assert "            may lose pairs: " in result.stdout
+            found = re.search(r"^pairs +(\d+)$", result.stdout, re.MULTILINE)
+            assert found and int(found[1]) <= len(truth), how
+            continue
         if result.rc == 2 and "chapter32" in how:
             assert result.stdout == ""
             assert result.stderr.count("\n") == 1

@@ -9,6 +9,7 @@
 #include "baselines/baselines.hpp"
 #include "baselines/bullet/branch_limit.hpp"
 #include "baselines/bullet/bullet_box.hpp"
+#include "baselines/bullet/client.hpp"
 #include "baselines/bullet/pair_limit.hpp"
 
 namespace octocell::baselines {
@@ -16,12 +17,6 @@ namespace {
 
 /// m_deferedcollide: pairs are found while proxies are inserted, or all in one tree-tree pass.
 enum class Collide : bool { immediately, deferred };
-
-/// Bullet takes a null client for a free slot in places, so ids start at 1.
-void* client_of(std::size_t id) { return reinterpret_cast<void*>(id + 1); }
-std::uint32_t id_of(const btBroadphaseProxy* proxy) {
-  return static_cast<std::uint32_t>(reinterpret_cast<std::size_t>(proxy->m_clientObject) - 1);
-}
 
 /// A broad phase with its proxies, which Bullet leaves to the caller to free.
 class World {
@@ -129,9 +124,7 @@ class DbvtBroadphase final : public BaselineFinder {
     for (int k = 0; k < pairs.size(); ++k) {
       if (!sink().test(id_of(pairs[k].m_pProxy0), id_of(pairs[k].m_pProxy1))) return;
     }
-    if (world_->limit_reached()) {
-      sink().refuse("btHashedOverlappingPairCache cannot hold more than 2^30 pairs");
-    }
+    if (world_->limit_reached()) sink().refuse(kPairCacheFull);
   }
 
   Collide collide_;

@@ -12,6 +12,8 @@ namespace octocell::baselines {
 /// Entries in a btHashedOverlappingPairCache; one more and its capacity, an int, is doubled to
 /// 2^31.
 inline constexpr std::uint64_t kMaxCachedPairs = std::uint64_t{1} << 30;
+inline constexpr const char* kPairCacheFull =
+    "btHashedOverlappingPairCache cannot hold more than 2^30 pairs";
 
 class PairLimit final : public btOverlapFilterCallback {
  public:

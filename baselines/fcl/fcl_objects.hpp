@@ -58,6 +58,10 @@ class FclObjects {
   [[nodiscard]] const std::vector<Object*>& pointers() const { return pointers_; }
   [[nodiscard]] const Object* first() const { return objects_.data(); }
 
+  static double radius(const Object& object) {
+    return static_cast<const fcl::Sphered&>(*object.collisionGeometry()).radius;
+  }
+
  private:
   using Geometry = std::shared_ptr<fcl::CollisionGeometryd>;
   using Geometries = std::unordered_map<float, Geometry>;
@@ -68,9 +72,6 @@ class FclObjects {
     return shared;
   }
   static fcl::Vector3d centre(const Sphere& s) { return {s.x, s.y, s.z}; }
-  static double radius(const Object& object) {
-    return static_cast<const fcl::Sphered&>(*object.collisionGeometry()).radius;
-  }
 
   std::vector<Object> objects_;    // [sphere]
   std::vector<Object*> pointers_;  // [sphere] into objects_, the form in which FCL takes them

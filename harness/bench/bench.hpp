@@ -11,6 +11,9 @@ namespace octocell::bench {
 struct BenchOptions {
   std::string preset = "quick";     // quick or full; which scenes, sizes and rounds
   std::vector<std::string> scenes;  // instead of the preset's
+  std::string motion;               // sets those scenes in motion
+  std::string trajectory;           // a folder of frames, *.npy
+  int frames = 20;                  // of a motion
   std::string backend = "all";
   std::string output = "reports/out/bench.json";
   std::string filter;         // regular expression on row names; empty: all

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <map>
 #include <utility>
 
@@ -13,6 +14,8 @@ namespace octocell::bench {
 namespace {
 
 constexpr std::string_view kMolecule = "data/1A2C.pqr";
+constexpr std::string_view kTrajectory = "data/adk_frames";
+constexpr std::uint64_t kMotionSeed = 1;
 
 void add(std::vector<Group>& groups, std::string_view scene, std::uint64_t n, int rounds,
          bool slow_rows = true) {
@@ -50,6 +53,32 @@ void make_labels_distinct(std::vector<Group>& groups) {
   }
 }
 
+/// A gas that moves.
+void add_motion(std::vector<Group>& groups, Motion motion, std::uint64_t n, int frames,
+                int rounds) {
+  add(groups, "gas", n, rounds, n <= 10'000);
+  groups.back().scene = fmt::format("gas_{}", kMotionNames[static_cast<std::size_t>(motion)]);
+  groups.back().motion = motion;
+  groups.back().frames = frames;
+}
+
+/// Frames that set-up made from a real trajectory, or did not.
+Group trajectory(std::string folder, int rounds) {
+  Group group = {.scene = "adk_trajectory",
+                 .argument = folder,
+                 .trajectory = folder,
+                 .real = true,
+                 .rounds = rounds};
+  try {
+    const Frames frames = load_frames(folder);
+    group.n = frames.front().size();
+    group.frames = static_cast<int>(frames.size());
+  } catch (const InputError& missing) {
+    group.unavailable = missing.what();
+  }
+  return group;
+}
+
 std::vector<Group> quick_groups() {
   std::vector<Group> groups;
   add(groups, "gas", 1'000, 5);
@@ -60,6 +89,8 @@ std::vector<Group> quick_groups() {
   for (const auto scene : {"gas", "dense", "poly", "cluster", "lattice", "shifted", "giant"}) {
     add(groups, scene, 100'000, 3, std::string_view(scene) == "gas");
   }
+  add_motion(groups, Motion::brownian, 10'000, 12, 3);
+  add_motion(groups, Motion::brownian, 100'000, 8, 3);
   add(groups, "gas", 1'000'000, 3, false);
   return groups;
 }
@@ -72,17 +103,49 @@ std::vector<Group> full_groups() {
       add(groups, scene, n, n < 100'000 ? 11 : n < 1'000'000 ? 7 : 5);
     }
   }
+  for (const std::uint64_t n : {10'000ULL, 100'000ULL, 1'000'000ULL}) {
+    for (const Motion motion : {Motion::brownian, Motion::free_fall, Motion::gravity}) {
+      add_motion(groups, motion, n, n < 1'000'000 ? 30 : 12, 3);
+    }
+  }
+  groups.push_back(trajectory(std::string(kTrajectory), 3));
+  return groups;
+}
+
+/// The caller's scenes, set in motion if the options say so.
+std::vector<Group> custom_groups(const BenchOptions& options) {
+  std::vector<Group> groups;
+  for (const std::string& scene : options.scenes) {
+    groups.push_back(custom(scene));
+    if (options.motion.empty()) continue;
+    groups.back().motion = motion_named(options.motion);
+    groups.back().scene += "_" + options.motion;
+    groups.back().frames = options.frames;
+  }
+  if (options.trajectory.empty()) return groups;
+  groups.push_back(trajectory(options.trajectory, 5));
+  if (!groups.back().unavailable.empty()) throw InputError(groups.back().unavailable);
+  groups.back().scene = std::filesystem::path(options.trajectory).filename().string();
+  groups.back().real = false;
   return groups;
 }
 
 }  // namespace
 
+Footage footage_of(const Group& group) {
+  if (!group.trajectory.empty()) return {group.trajectory, load_frames(group.trajectory)};
+  Scene scene = load_or_generate(group.argument);
+  if (!group.motion) return {scene.spec, {std::move(scene.spheres)}};
+  return {fmt::format("{} {} frames={}", scene.spec,
+                      kMotionNames[static_cast<std::size_t>(*group.motion)], group.frames),
+          move(scene.spheres, *group.motion, group.frames, kMotionSeed)};
+}
+
 std::vector<Group> choose_groups(const BenchOptions& options) {
   if (options.preset != "quick" && options.preset != "full") {
     throw InputError(fmt::format("unknown preset '{}'; known: quick, full", options.preset));
   }
-  std::vector<Group> groups;
-  for (const std::string& scene : options.scenes) groups.push_back(custom(scene));
+  std::vector<Group> groups = custom_groups(options);
   if (groups.empty()) groups = options.preset == "quick" ? quick_groups() : full_groups();
   make_labels_distinct(groups);
   if (options.rounds) {

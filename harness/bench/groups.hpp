@@ -2,23 +2,37 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "harness/bench/bench.hpp"
+#include "harness/scenes/motion.hpp"
 
 namespace octocell::bench {
 
 /// Rows that are interleaved with each other: one scene at one size.
 struct Group {
-  std::string scene;             // label: generator or file stem
-  std::uint64_t n = 0;           // spheres
-  std::string argument;          // for load_or_generate()
-  std::string unavailable = {};  // why a real scene is not there; empty if it is
-  bool real = false;             // a file fetched at set-up; it may be missing
+  std::string scene;                  // label: generator or file stem
+  std::uint64_t n = 0;                // spheres
+  std::string argument;               // for load_or_generate()
+  std::string unavailable = {};       // why a real scene is not there; empty if it is
+  std::optional<Motion> motion = {};  // of a group that moves
+  std::string trajectory = {};        // or the folder of its frames
+  int frames = 1;
+  bool real = false;  // a file fetched at set-up; it may be missing
   int rounds = 5;
   bool slow_rows = true;  // false: at this size only the fastest of each family
+
+  [[nodiscard]] bool moves() const { return motion || !trajectory.empty(); }
 };
+
+/// The spheres of a group, frame by frame; one frame where nothing moves.
+struct Footage {
+  std::string spec;  // gives the same frames again
+  Frames frames;
+};
+Footage footage_of(const Group& group);
 
 /// The groups that the options ask for, small ones first. Scenes that the caller named are loaded
 /// once to learn their sizes; a second one of the same name and size is called NAME#2. Throws

@@ -2,16 +2,11 @@
 #include "harness/bench/results.hpp"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
+#include <algorithm>
 #include <utility>
 
-#include "harness/interface/error.hpp"
-#include "harness/scenes/output_file.hpp"
+#include "harness/bench/dynamic_row.hpp"
 
 namespace octocell::bench {
 namespace {
@@ -30,7 +25,8 @@ Json identity(const Group& group, const RowSpec& row) {
           {"n", group.n},
           {"threads", row.threads},
           {"run", name_of(row.run)},
-          {"exhibit", how.exhibit()}};
+          {"exhibit", how.exhibit()},
+          {"known_faults", how.has_known_faults() ? Json(how.backend->known_faults) : Json()}};
 }
 
 void add_answer(Json& json, const RowSpec& row, const RowResult& result) {
@@ -47,7 +43,7 @@ void add_answer(Json& json, const RowSpec& row, const RowResult& result) {
   json["doubts"] = row.how.is_baseline() ? Json() : unless_skipped(result.counts.doubts);
 }
 
-void add_times(Json& json, const RowSpec& row, const RowResult& result) {
+void add_times(Json& json, const Group& group, const RowSpec& row, const RowResult& result) {
   json["iterations"] = result.iterations;
   json["total_ms"] = result.total_ms;
   json["stage_ms"] = Json::object();
@@ -60,13 +56,18 @@ void add_times(Json& json, const RowSpec& row, const RowResult& result) {
   for (const auto& [stage, holder] : result.fused) {
     json["fused"][std::string(name_of(stage))] = name_of(holder);
   }
+  if (!result.frame_ms.empty()) {
+    json["frames"] = {{"scene", group.scene},
+                      {"warmup_frames", std::min(kWarmupFrames, result.frame_ms.front().size())},
+                      {"frame_ms", result.frame_ms}};
+  }
   json["peak_bytes"] = result.peak_bytes ? Json(*result.peak_bytes) : Json();
   json["output_bytes"] = result.digest.count * sizeof(Pair);
 }
 
 }  // namespace
 
-Results::Results(std::string path, Json context) : path_(std::move(path)) {
+Results::Results(std::string path, Json context) : file_(std::move(path)) {
   context["finished"] = false;
   document_ = {{"schema", kSchema},
                {"context", std::move(context)},
@@ -79,29 +80,8 @@ void Results::add_group(Json group) { document_["groups"].push_back(std::move(gr
 void Results::add_row(const Group& group, const RowSpec& row, const RowResult& result) {
   Json json = identity(group, row);
   add_answer(json, row, result);
-  add_times(json, row, result);
+  add_times(json, group, row, result);
   document_["rows"].push_back(std::move(json));
-}
-
-void Results::require_writable() const {
-  struct stat target = {};
-  if (stat(path_.c_str(), &target) == 0) {
-    if (!S_ISREG(target.st_mode)) refuse("not a regular file");
-    if (access(path_.c_str(), W_OK) != 0) refuse(std::strerror(errno));
-    return;
-  }
-  if (errno != ENOENT) refuse(std::strerror(errno));
-  const std::string folder = std::filesystem::path(path_).parent_path().string();
-  if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0) refuse(std::strerror(errno));
-}
-
-void Results::refuse(const char* reason) const {
-  throw InputError(fmt::format("cannot write {}: {}", path_, reason));
-}
-
-void Results::write() const {
-  const std::string text = document_.dump(1) + "\n";
-  write_whole_file(path_, {std::as_bytes(std::span(text))});
 }
 
 }  // namespace octocell::bench

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "harness/bench/result_file.hpp"
 #include "harness/bench/row_runner.hpp"
 
 namespace octocell::bench {
@@ -18,16 +19,12 @@ class Results {
   void add_row(const Group& group, const RowSpec& row, const RowResult& result);
   void finish() { document_["context"]["finished"] = true; }
 
-  /// Throws InputError if write() would have no chance; leaves everything as it was.
-  void require_writable() const;
-
-  /// Atomic: a temporary file beside the target, then a rename. Throws InputError.
-  void write() const;
+  /// As ResultFile's.
+  void require_writable() const { file_.require_writable(); }
+  void write() const { file_.write(document_); }
 
  private:
-  [[noreturn]] void refuse(const char* reason) const;
-
-  std::string path_;
+  ResultFile file_;
   nlohmann::ordered_json document_;
 };
 

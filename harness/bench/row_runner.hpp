@@ -13,12 +13,14 @@
 
 namespace octocell::bench {
 
-/// A scene and what is right for it.
+/// A scene at all its moments (one, unless it moves), and what is right for it.
 struct Subject {
   std::string spec;
-  SceneView scene;
-  std::vector<Pair> truth;
-  PairDigest digest;
+  Frames frames;
+  std::vector<Pair> truth;          // of frames[0]
+  std::vector<PairDigest> digests;  // of each frame's exact pairs
+
+  [[nodiscard]] SceneView view(std::size_t frame = 0) const { return {frames[frame]}; }
 };
 
 /// What is known of a row so far; the fields of its JSON.
@@ -33,6 +35,7 @@ struct RowResult {
   std::vector<double> marked_total_ms;  // the runs behind stage_ms
   std::map<Stage, std::vector<double>> stage_ms;
   std::map<Stage, Stage> fused;
+  std::vector<std::vector<double>> frame_ms;  // of a dynamic row: round by round, frame by frame
   std::optional<std::uint64_t> peak_bytes;
 
   [[nodiscard]] bool wrong() const { return !skipped && !difference.exact(); }
@@ -42,33 +45,36 @@ struct RowResult {
 class RowRunner {
  public:
   RowRunner(const RowSpec& row, const Subject& subject, std::uint64_t candidate_limit);
+  virtual ~RowRunner() = default;
 
-  /// One complete run, compared with the truth pair by pair. Estimates the time of a run.
+  /// One complete run, compared with the truth, which also shows how long a run takes. A row that
+  /// cannot be run here is marked skipped, with the reason.
   void verify(double min_time_ms);
 
-  /// One measurement by Google Benchmark, then one run with stage marks. The pairs are compared
-  /// with the verified ones (count and checksum) after it.
-  void measure(const std::string& name);
+  /// One measurement of this round. The pairs are compared with the truth again after it.
+  virtual void measure(const std::string& name) = 0;
 
   [[nodiscard]] const RowSpec& row() const { return row_; }
   [[nodiscard]] RowResult& result() { return result_; }
   [[nodiscard]] const RowResult& result() const { return result_; }
-  [[nodiscard]] double expected_ms() const { return expected_ms_; }
 
- private:
-  StageTimes run_once(HostClock::Marks marks);
-  void build_untimed();
-  StageTimes run_cold(HostClock::Marks marks);
-  void check_digest();
+ protected:
+  /// Throws LimitError where the row cannot be run.
+  virtual void verify_or_throw(double min_time_ms) = 0;
+
+  void require_under_limit(const Counts& counts) const;
+  /// Compares what the finder holds now with the exact pairs of a frame.
+  void judge(std::size_t frame);
   void record_stages(const StageTimes& times);
 
-  RowSpec row_;
+  const RowSpec row_;
   const Subject& subject_;
   PlanOptions options_;
-  Plan plan_;  // large enough, after verify()
   std::unique_ptr<PairFinder> finder_;
   RowResult result_;
-  double expected_ms_ = 0.0;
 };
+
+std::unique_ptr<RowRunner> make_runner(const RowSpec& row, const Subject& subject,
+                                       std::uint64_t candidate_limit);
 
 }  // namespace octocell::bench

@@ -39,11 +39,16 @@ std::vector<RowSpec> rows_of(const Group& group, std::string_view backend,
   std::vector<RowSpec> rows;
   for (const Implementation& how : implementations(backend)) {
     if (!group.slow_rows && !is_fast(how)) continue;
+    if (group.moves() && how.exhibit()) continue;  // its losses do not depend on motion
     for (const int threads : thread_counts(how)) {
+      if (group.moves()) {
+        rows.push_back({how, threads, Run::dynamic});
+        continue;
+      }
       rows.push_back({how, threads, Run::cold});
       rows.push_back({how, threads, Run::warm});
     }
-    if (!how.is_baseline() || !group.slow_rows) continue;
+    if (!how.is_baseline() || !group.slow_rows || group.moves()) continue;
     rows.push_back({how, 1, Run::first_update});
     rows.push_back({how, 1, Run::update});
   }

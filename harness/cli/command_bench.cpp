@@ -28,6 +28,9 @@ void add_bench(CLI::App& app, Command& command) {
   sub->add_option("SCENE", o->scenes, "Scenes to time instead of a preset's");
   sub->add_option("--preset", o->preset, "quick (minutes, default) or full (an hour)");
   sub->add_option("--backend", o->backend, "A backend, a baseline, or all");
+  sub->add_option("--motion", o->motion, "Move those scenes: brownian, free_fall or gravity");
+  sub->add_option("--frames", o->frames, "Frames of a motion")->check(CLI::Range(2, 100000));
+  sub->add_option("--trajectory", o->trajectory, "A folder of frames (*.npy) to time");
   sub->add_option("-o,--output", o->output, "JSON to write (default reports/out/bench.json)");
   sub->add_option("--rounds", o->rounds, "Rounds of each group")->check(CLI::Range(1, 1000000));
   sub->add_flag("!--no-memory", o->memory, "Do not measure memory");

@@ -105,6 +105,9 @@ void print_text(const Answer& answer) {
   fmt::print("scene       {} ({} spheres)\n", answer.scene.spec, answer.scene.spheres.size());
   fmt::print("backend     {}, {} thread{}\n", how.label(), threads, threads == 1 ? "" : "s");
   if (how.exhibit()) fmt::print("            an exhibit: this rule loses pairs\n");
+  if (how.has_known_faults()) {
+    fmt::print("            may lose pairs: {}\n", how.backend->known_faults);
+  }
   if (answer.rounding) {
     fmt::print("rounding    to float32 lost {} pairs and gained {}\n", answer.rounding->lost,
                answer.rounding->gained);

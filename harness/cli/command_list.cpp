@@ -15,6 +15,7 @@ void list_backends(Kind kind) {
     const std::optional<std::string> reason = b.why_unavailable();
     fmt::print("  {:<36} {:<54} {}\n", b.name, b.summary,
                reason ? "not here: " + *reason : "available");
+    if (!b.known_faults.empty()) fmt::print("      known fault: {}\n", b.known_faults);
   }
 }
 

@@ -93,6 +93,20 @@ void check_options(const PlanOptions& options) {
   }
 }
 
+/// A tenth of the largest extent, and a radius, on every side.
+SceneStats with_room_to_move(SceneStats stats) {
+  PlanFacts& facts = stats.facts;
+  float room = facts.r_max;
+  for (int a = 0; a < 3; ++a) {
+    room = std::max(room, (facts.highest[a] - facts.lowest[a]) / 10.0F);
+  }
+  for (int a = 0; a < 3; ++a) {
+    facts.lowest[a] = std::max(facts.lowest[a] - room, -kFloatMax);
+    facts.highest[a] = std::min(facts.highest[a] + room, kFloatMax);
+  }
+  return stats;
+}
+
 }  // namespace
 
 Plan plan_buffers(std::uint64_t sphere_count, const PlanOptions& options) {
@@ -105,8 +119,9 @@ Plan plan_buffers(std::uint64_t sphere_count, const PlanOptions& options) {
   return plan;
 }
 
-Plan make_plan(const SceneStats& stats, const PlanOptions& options) {
+Plan make_plan(const SceneStats& seen, const PlanOptions& options) {
   check_options(options);
+  const SceneStats stats = options.moving ? with_room_to_move(seen) : seen;
   Plan plan;
   plan.method = options.method;
   plan.rule = options.rule;

@@ -18,6 +18,7 @@ struct PlanOptions {
   bool count_only = false;
   std::uint64_t candidate_limit = ~std::uint64_t{0};
   std::optional<double> cell_side = {};  // scene units; only rule lowest_cell is free to choose
+  bool moving = false;  // plan for a box a little larger than the spheres fill now
   bool buffers_only = false;             // for baselines, which make their own plans
 };
 

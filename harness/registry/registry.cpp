@@ -10,6 +10,7 @@
 #include "baselines/baselines.hpp"
 #include "harness/interface/error.hpp"
 #include "impl_cpu/backend.hpp"
+#include "impl_thrust/backend.hpp"
 
 namespace octocell {
 namespace {
@@ -19,15 +20,22 @@ constexpr std::array kAllMethods = {Method::home_phantom, Method::brute_force};
 std::optional<std::string> always_available() { return std::nullopt; }
 
 constexpr BackendInfo baseline(std::string_view name, std::string_view summary,
-                               std::unique_ptr<PairFinder> (*create)()) {
+                               std::unique_ptr<PairFinder> (*create)(),
+                               std::string_view known_faults = {}) {
   return {.name = name,
           .kind = Kind::baseline,
           .summary = summary,
           .methods = {},
           .threaded = false,
           .why_unavailable = always_available,
-          .create = create};
+          .create = create,
+          .known_faults = known_faults};
 }
+
+constexpr std::string_view kTouchingBoxesLost =
+    "ends of boxes are sorted by position only, so boxes that just touch can be taken for apart";
+constexpr std::string_view kHalfOpenCells =
+    "cells lack their upper border, so boxes that touch there share none";
 
 constexpr std::array kBackends = {
     BackendInfo{.name = "impl_cpu",
@@ -37,6 +45,20 @@ constexpr std::array kBackends = {
                 .threaded = true,
                 .why_unavailable = always_available,
                 .create = cpu::make_backend},
+    BackendInfo{.name = "impl_thrust",
+                .kind = Kind::backend,
+                .summary = on_thrust::kHostSummary,
+                .methods = kAllMethods,
+                .threaded = on_thrust::kHostThreaded,
+                .why_unavailable = always_available,
+                .create = on_thrust::make_host_backend},
+    BackendInfo{.name = "impl_thrust_cuda",
+                .kind = Kind::backend,
+                .summary = on_thrust::kCudaSummary,
+                .methods = kAllMethods,
+                .threaded = false,
+                .why_unavailable = on_thrust::why_no_cuda,
+                .create = on_thrust::make_cuda_backend},
     baseline("fcl_dynamic_aabb_tree", "FCL DynamicAABBTree, as it comes",
              baselines::make_fcl_dynamic_aabb_tree),
     baseline("fcl_dynamic_aabb_tree_morton", "FCL DynamicAABBTree, tree_init_level = 1",
@@ -45,12 +67,26 @@ constexpr std::array kBackends = {
              baselines::make_fcl_dynamic_aabb_tree_array),
     baseline("fcl_dynamic_aabb_tree_array_morton", "FCL DynamicAABBTree_Array, tree_init_level = 1",
              baselines::make_fcl_dynamic_aabb_tree_array_morton),
+    baseline("fcl_sap", "FCL SaP: end points kept sorted, a list of pairs", baselines::make_fcl_sap,
+             kTouchingBoxesLost),
+    baseline("fcl_ssap", "FCL SSaP: sort and sweep at every query", baselines::make_fcl_ssap),
+    baseline("fcl_interval_tree", "FCL IntervalTree: a sweep, and three trees",
+             baselines::make_fcl_interval_tree, kTouchingBoxesLost),
+    baseline("fcl_spatial_hashing", "FCL SpatialHashing, cells of two greatest radii",
+             baselines::make_fcl_spatial_hashing, kHalfOpenCells),
+    baseline("fcl_naive", "FCL Naive: all pairs of boxes", baselines::make_fcl_naive),
     baseline("bullet_dbvt_broadphase", "Bullet btDbvtBroadphase, as it comes",
              baselines::make_bullet_dbvt_broadphase),
     baseline("bullet_dbvt_broadphase_deferred", "Bullet btDbvtBroadphase, m_deferedcollide",
              baselines::make_bullet_dbvt_broadphase_deferred),
     baseline("bullet_dbvt", "Bullet's bare btDbvt tree, joined with itself",
              baselines::make_bullet_dbvt),
+    baseline("bullet_axis_sweep", "Bullet btAxisSweep3, in 16 bits",
+             baselines::make_bullet_axis_sweep),
+    baseline("bullet_axis_sweep_32", "Bullet bt32BitAxisSweep3",
+             baselines::make_bullet_axis_sweep_32),
+    baseline("bullet_simple", "Bullet btSimpleBroadphase: all pairs of boxes",
+             baselines::make_bullet_simple),
 };
 
 }  // namespace

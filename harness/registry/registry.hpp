@@ -17,7 +17,8 @@ namespace octocell {
 enum class Kind : std::uint8_t { backend, baseline };
 
 struct BackendInfo {
-  std::string_view name;  // of a backend: its folder's; of a baseline: library, class, tuning
+  std::string_view name;  // of a backend: its folder's, + _cuda on a device; of a baseline:
+                          // library, class, tuning
   Kind kind;
   std::string_view summary;         // one line, for people
   std::span<const Method> methods;  // empty for baselines: they have their own
@@ -25,6 +26,8 @@ struct BackendInfo {
   /// Nothing if it can run here, else why not.
   std::optional<std::string> (*why_unavailable)();
   std::unique_ptr<PairFinder> (*create)();
+  /// Why its answers can lack pairs although it is driven as it should be; empty if they cannot.
+  std::string_view known_faults = {};
 };
 
 /// Backends first, then baselines; the order of every table and plot.
@@ -43,6 +46,8 @@ struct Implementation {
   [[nodiscard]] bool has_rule() const { return !is_baseline() && method == Method::home_phantom; }
   /// Kept because it is wrong: its losses are the lesson, and no row of it counts as a failure.
   [[nodiscard]] bool exhibit() const { return has_rule() && rule == Rule::as_written; }
+  /// A library's own fault: pairs that such a row lacks are reported, and not counted as a failure.
+  [[nodiscard]] bool has_known_faults() const { return !backend->known_faults.empty(); }
   /// What the planner is told of it.
   [[nodiscard]] PlanOptions plan_options(int threads = 1) const;
   /// "impl_cpu home_phantom lowest_cell"

@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from octocell_report import words
+from octocell_report.language import tell
 from octocell_report.load import Result, Row
 
 
@@ -13,6 +14,7 @@ from octocell_report.load import Result, Row
 class Verdict:
     exact: int  # default rows that ran and are exact
     wrong: list[Row]  # default rows that ran and are not
+    excused: list[Row]  # wrong by a known fault of their library; reported, not counted
     skipped: int
     exhibits: int  # rows kept because their rule is wrong; right or wrong, they do not count
     unavailable: list[str]  # real scenes that could not be fetched
@@ -32,7 +34,8 @@ def judge(result: Result) -> Verdict:
     default = [row for row in result.rows if not row.exhibit]
     return Verdict(
         exact=sum(row.status == "ok" for row in default),
-        wrong=[row for row in default if row.status == "wrong"],
+        wrong=[row for row in default if row.status == "wrong" and not row.excused],
+        excused=[row for row in default if row.excused],
         skipped=sum(row.status == "skipped" for row in result.rows),
         exhibits=sum(row.exhibit and row.status != "skipped" for row in result.rows),
         unavailable=[g.scene for g in result.groups if g.unavailable is not None],
@@ -40,21 +43,22 @@ def judge(result: Result) -> Verdict:
     )
 
 
-def headline(verdict: Verdict) -> str:
+def headline(verdict: Verdict, language: str = "en") -> str:
     """One sentence; 'default' rows are those that ran and are no exhibits."""
+    counts = {"wrong": len(verdict.wrong), "checked": verdict.checked}
     if verdict.checked == 0:
-        return "No default row ran, so nothing was checked."
+        return tell(language, "headline_none")
     if verdict.wrong:
-        verb = "is" if len(verdict.wrong) == 1 else "are"
-        return f"{len(verdict.wrong)} of {verdict.checked} default rows {verb} wrong."
-    if verdict.checked == 1:
-        return "The only default row is exact."
-    return f"All {verdict.checked} default rows are exact."
+        key = "headline_wrong_one" if len(verdict.wrong) == 1 else "headline_wrong"
+        return tell(language, key, **counts)
+    return tell(language, "headline_only" if verdict.checked == 1 else "headline_all", **counts)
 
 
 def summary(verdict: Verdict) -> str:
     """The headline and what it does not count, in one line."""
     parts = [headline(verdict), f"{verdict.skipped} skipped, {verdict.exhibits} exhibits."]
+    if verdict.excused:
+        parts.append(f"{len(verdict.excused)} miss pairs by known faults of their libraries.")
     if verdict.unavailable:
         parts.append(f"Unavailable: {', '.join(verdict.unavailable)}.")
     if not verdict.finished:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -39,12 +40,40 @@ def _parser() -> argparse.ArgumentParser:
     check.add_argument("result", type=Path, metavar="RESULT.json")
     check.set_defaults(command=_check)
 
+    compare = commands.add_parser("compare", help="which rows became faster or slower")
+    compare.add_argument("old", type=Path, metavar="OLD.json")
+    compare.add_argument("new", type=Path, metavar="NEW.json")
+    compare.add_argument(
+        "--threshold",
+        type=_share,
+        default=0.05,
+        metavar="SHARE",
+        help="changes up to this share are none (default 0.05)",
+    )
+    compare.add_argument("--fail-on-slower", action="store_true", help="exit 1 if a row is slower")
+    compare.set_defaults(command=_compare)
+
     readme = commands.add_parser("readme", help="write the text between octocell markers")
     readme.add_argument("result", type=Path, metavar="RESULT.json")
     readme.add_argument("readme", type=Path, metavar="README.md")
     readme.add_argument("--check", action="store_true", help="write nothing; exit 1 if it differs")
     readme.set_defaults(command=_readme)
+
+    sort = commands.add_parser("sort", help="plots and a table from octocell bench-sort's JSON")
+    sort.add_argument("result", type=Path, metavar="SORT.json")
+    sort.add_argument("-o", "--output", type=Path, default=Path("reports/out"), metavar="FOLDER")
+    sort.set_defaults(command=_sort)
     return parser
+
+
+def _share(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = -1.0
+    if not 0 <= value < math.inf:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number, 0 or more")
+    return value
 
 
 def _build(options: argparse.Namespace) -> int:
@@ -67,6 +96,14 @@ def _check(options: argparse.Namespace) -> int:
     return 0 if verdict.passes else 1
 
 
+def _compare(options: argparse.Namespace) -> int:
+    from octocell_report.compare import report
+
+    lines, slower = report(load(options.old), load(options.new), options.threshold)
+    print("\n".join(lines))
+    return 1 if slower and options.fail_on_slower else 0
+
+
 def _readme(options: argparse.Namespace) -> int:
     from octocell_report.readme import rewrite
 
@@ -77,3 +114,11 @@ def _readme(options: argparse.Namespace) -> int:
     verb = "differs from" if options.check else "rewritten from"
     print(f"{options.readme}: {verb} {options.result}: {', '.join(differing)}")
     return 1 if options.check else 0
+
+
+def _sort(options: argparse.Namespace) -> int:
+    from octocell_report import sort, sort_figures  # as for _build
+
+    names = sort_figures.build(sort.load(options.result), options.output)
+    print(f"{options.output}: written: {', '.join(names)}")
+    return 0

@@ -20,7 +20,7 @@ Check = tuple[str, Callable[[Any], bool]]
 
 
 def number(value: Any) -> bool:
-    is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
     return is_number and math.isfinite(value) and value >= 0
 
 
@@ -50,6 +50,10 @@ is_times: Check = ("a list of times, 0 or more", numbers)
 is_stages: Check = (
     "an object of lists of times",
     lambda v: isinstance(v, dict) and all(numbers(t) for t in v.values()),
+)
+is_frames: Check = (
+    "a list of rounds, each a list of times",
+    lambda v: isinstance(v, list) and bool(v) and all(numbers(t) for t in v),
 )
 is_names: Check = (
     "an object of names",

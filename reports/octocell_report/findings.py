@@ -7,28 +7,34 @@ from collections import Counter
 from collections.abc import Callable
 from statistics import median
 
-from octocell_report import check, tables, words
+from octocell_report import check, dynamic, tables, words
+from octocell_report.language import tell
 from octocell_report.load import Result, Row
 
 
-def overview(result: Result) -> list[str]:
+def overview(result: Result, language: str = "en") -> list[str]:
     """What stands under the headline."""
     verdict = check.judge(result)
     found = []
     if verdict.exhibits:
-        found.append(_exhibits(result))
+        found.append(_exhibits(result, language))
+    if verdict.excused:
+        names = list(dict.fromkeys(words.labels(result)[row.impl] for row in verdict.excused))
+        values = {"rows": len(verdict.excused), "names": _listed(names, language)}
+        found.append(tell(language, "excused", **values))
     if verdict.skipped:
-        found.append(f"{_rows(verdict.skipped)} skipped, each with its reason below.")
+        key = "rows_skipped_one" if verdict.skipped == 1 else "rows_skipped"
+        found.append(tell(language, key, rows=verdict.skipped))
     if verdict.unavailable:
-        found.append(f"Not there: {', '.join(verdict.unavailable)}.")
-    return found + speed(result, "warm")
+        found.append(tell(language, "not_there", scenes=_listed(verdict.unavailable, language)))
+    return found + speed(result, "warm", language)
 
 
-def _rows(n: int) -> str:
-    return "1 row was" if n == 1 else f"{n} rows were"
+def _listed(parts: list[str], language: str) -> str:
+    return tell(language, "comma").join(parts)
 
 
-def _exhibits(result: Result) -> str:
+def _exhibits(result: Result, language: str) -> str:
     """How much the rules lose that are kept for their faults."""
     rows = [row for row in result.rows if row.exhibit and row.status != "skipped"]
     truth = {group.place: group.truth_pairs for group in result.groups}
@@ -37,19 +43,20 @@ def _exhibits(result: Result) -> str:
         for row in rows
         if row.missed and (pairs := truth[row.place]) is not None and pairs > 0
     ]
-    rules = ", ".join(dict.fromkeys(words.labels(result)[row.impl] for row in rows))
-    text = f"{len(rows)} more belong to exhibits ({rules}), kept because they are wrong"
+    rules = list(dict.fromkeys(words.labels(result)[row.impl] for row in rows))
+    text = tell(language, "exhibits", rows=len(rows), rules=_listed(rules, language))
     if not shares:
-        return f"{text}; none of them missed a pair here."
-    return f"{text}: they miss {_range(shares, words.number)} % of the pairs."
+        return tell(language, "exhibits_missed_none", exhibits=text)
+    share = _range(shares, words.number, language)
+    return tell(language, "exhibits_missed", exhibits=text, share=share)
 
 
-def _range(values: list[float], show: Callable[[float], str]) -> str:
+def _range(values: list[float], show: Callable[[float], str], language: str) -> str:
     low, high = show(min(values)), show(max(values))
-    return low if low == high else f"{low} to {high}"
+    return low if low == high else tell(language, "range", low=low, high=high)
 
 
-def time(result: Result, run: str) -> list[str]:
+def time(result: Result, run: str, language: str = "en") -> list[str]:
     """Who is fastest at each largest size, and how time grows."""
     labels = words.labels(result)
     winners: Counter[str] = Counter()
@@ -62,34 +69,44 @@ def time(result: Result, run: str) -> list[str]:
             winners[labels[min(last, key=lambda row: row.median_ms).impl]] += 1
         for impl, rows in curves.items():
             exponent = tables.slope(rows)
-            who = labels[impl] if rows[0].kind == "backend" else "the baselines"
             if exponent is not None:
+                ours = rows[0].kind == "backend"
+                who = labels[impl] if ours else tell(language, "the_baselines")
                 slopes.setdefault(who, []).append(exponent)
+    return [*_time_sentences(winners, slopes, language), *_single_sizes(result, run, language)]
+
+
+def _time_sentences(
+    winners: Counter[str], slopes: dict[str, list[float]], language: str
+) -> list[str]:
     found = []
     if winners:
-        parts = [f"{name} on {count}" for name, count in winners.most_common()]
-        found.append(
-            f"Fastest exact row at the largest size, of {_scenes(winners.total())}: "
-            f"{', '.join(parts)}."
-        )
+        parts = [tell(language, "won", name=n, scenes=count) for n, count in winners.most_common()]
+        scenes, listed = _scenes(winners.total(), language), _listed(parts, language)
+        found.append(tell(language, "fastest", scenes=scenes, winners=listed))
     if slopes:
-        grown = [f"{who} {_range(b, lambda v: f'n^{v:.2f}')}" for who, b in slopes.items()]
-        found.append(f"Time grows: {', '.join(grown)}.")
-    single = [scene for scene in result.scenes if len(_sizes(result, scene)) == 1]
-    if single:
-        found.append(f"One size only, so no curve: {', '.join(single)}.")
+        grown = [
+            f"{who} {_range(b, lambda v: f'n^{v:.2f}', language)}" for who, b in slopes.items()
+        ]
+        found.append(tell(language, "grows", slopes=_listed(grown, language)))
     return found
+
+
+def _single_sizes(result: Result, run: str, language: str) -> list[str]:
+    held = {row.place.scene for row in result.rows if row.run == run}
+    single = [scene for scene in result.scenes if len(_sizes(result, scene)) == 1 and scene in held]
+    return [tell(language, "one_size", scenes=_listed(single, language))] if single else []
 
 
 def _sizes(result: Result, scene: str) -> list[int]:
     return [n for n in result.sizes(scene) if n > 0]
 
 
-def _scenes(n: int) -> str:
-    return "1 scene" if n == 1 else f"{n} scenes"
+def _scenes(n: int, language: str) -> str:
+    return tell(language, "scenes_one" if n == 1 else "scenes", scenes=n)
 
 
-def stages(result: Result, kind: str) -> list[str]:
+def stages(result: Result, kind: str, language: str = "en") -> list[str]:
     """Where the fastest exact row of that kind spends its time, scene by scene."""
     heaviest: Counter[str] = Counter()
     shares: dict[str, list[float]] = {}
@@ -102,12 +119,12 @@ def stages(result: Result, kind: str) -> list[str]:
         shares.setdefault(stage, []).append(100 * share)
     if not heaviest:
         return []
-    parts = [
-        f"{stage} in {count} ({_range(shares[stage], lambda v: f'{v:.0f}')} % of its time)"
-        for stage, count in heaviest.most_common()
-    ]
-    who = "our fastest exact row" if kind == "backend" else "the fastest baseline"
-    return [f"Heaviest stage of {who}, of {_scenes(heaviest.total())}: {', '.join(parts)}."]
+    parts = []
+    for stage, count in heaviest.most_common():
+        part = _range(shares[stage], lambda v: f"{v:.0f}", language)
+        parts.append(tell(language, "heaviest_one", stage=stage, scenes=count, share=part))
+    scenes, listed = _scenes(heaviest.total(), language), _listed(parts, language)
+    return [tell(language, f"heaviest_{kind}", scenes=scenes, stages=listed)]
 
 
 def _heaviest(row: Row) -> tuple[str, float]:
@@ -116,7 +133,7 @@ def _heaviest(row: Row) -> tuple[str, float]:
     return stage, times[stage] / (sum(times.values()) or 1.0)
 
 
-def per_sphere(result: Result) -> list[str]:
+def per_sphere(result: Result, language: str = "en") -> list[str]:
     """How much the dearest scene costs over the cheapest, for each of our implementations."""
     labels, found = words.labels(result), []
     for impl in result.impls_of("backend"):
@@ -125,15 +142,20 @@ def per_sphere(result: Result) -> list[str]:
         if len(rows) < 2:
             continue
         low, high = min(rows, key=tables.ns_per_sphere), max(rows, key=tables.ns_per_sphere)
-        found.append(
-            f"{labels[impl]}: {words.number(tables.ns_per_sphere(low))} ns/sphere on "
-            f"{words.place(low.place)} to {words.number(tables.ns_per_sphere(high))} on "
-            f"{words.place(high.place)}."
+        sentence = tell(
+            language,
+            "per_sphere",
+            name=labels[impl],
+            low=words.number(tables.ns_per_sphere(low)),
+            cheap=words.place(low.place),
+            high=words.number(tables.ns_per_sphere(high)),
+            dear=words.place(high.place),
         )
+        found.append(sentence)
     return found
 
 
-def speed(result: Result, run: str) -> list[str]:
+def speed(result: Result, run: str, language: str = "en") -> list[str]:
     """Our fastest exact row of each group against each library's fastest."""
     every = tables.ratios(result, run)
     found = []
@@ -145,29 +167,58 @@ def speed(result: Result, run: str) -> list[str]:
         if not best:
             continue
         values = list(best.values())
-        ahead = sum(value > 1 for value in values)
-        found.append(
-            f"{run.capitalize()}, our fastest exact row is ahead of "
-            f"{words.family_title(family)}'s fastest in {ahead} of {len(values)} groups: "
-            f"{_range(values, words.ratio)} as fast, median {words.ratio(median(values))}."
+        sentence = tell(
+            language,
+            "speed",
+            run=tell(language, f"speed_{run}"),
+            family=words.family_title(family),
+            ahead=sum(value > 1 for value in values),
+            groups=len(values),
+            ratios=_range(values, words.ratio, language),
+            median=words.ratio(median(values)),
         )
+        found.append(sentence)
     return found
 
 
-def correctness(result: Result) -> list[str]:
+def moving(result: Result, language: str = "en") -> list[str]:
+    """Whose steady frame is fastest on each course, and how ours stands to each library's."""
+    labels, every, found = words.labels(result), tables.ratios(result, tables.DYNAMIC), []
+    for course, rows in dynamic.courses(result).items():
+        exact = [row for row in rows if row.counts]
+        if not exact:
+            continue
+        best = min(exact, key=lambda row: row.median_ms)
+        name, time_ms = labels[best.impl], words.number(best.median_ms)
+        found.append(tell(language, "steady", course=course.title, name=name, time=time_ms))
+        for family in tables.families(result):
+            ours = [
+                ratio.median
+                for ratio in every
+                if (ratio.place, ratio.motion, ratio.family) == (*course, family)
+            ]
+            if ours:
+                ratio, title = words.ratio(max(ours)), words.family_title(family)
+                values = {"course": course.title, "ratio": ratio, "family": title}
+                found.append(tell(language, "steady_speed", **values))
+    return found
+
+
+def correctness(result: Result, language: str = "en") -> list[str]:
     """The verdict, and where each implementation is wrong that should not be."""
     verdict = check.judge(result)
     labels = words.labels(result)
     places: dict[str, dict[str, None]] = {}
-    for row in verdict.wrong:
+    for row in [*verdict.wrong, *verdict.excused]:
         where = f"{words.place(row.place)} ({words.losses(row)})"
         places.setdefault(labels[row.impl], {})[where] = None
-    return [check.headline(verdict)] + [
-        f"{label} is wrong on {', '.join(where)}." for label, where in places.items()
+    return [check.headline(verdict, language)] + [
+        tell(language, "wrong_on", name=label, places=_listed(list(where), language))
+        for label, where in places.items()
     ]
 
 
-def memory(result: Result) -> list[str]:
+def memory(result: Result, language: str = "en") -> list[str]:
     """The least and the most that each kind needs, over the largest sizes."""
     needs: dict[str, list[float]] = {"backend": [], "baseline": []}
     for place in filter(None, map(result.largest, result.scenes)):
@@ -176,8 +227,10 @@ def memory(result: Result) -> list[str]:
             if row.counts and need is not None:
                 needs[row.kind].append(need)
     parts = [
-        f"{who} {_range(values, words.grouped)}"
-        for who, values in (("ours", needs["backend"]), ("the baselines", needs["baseline"]))
+        f"{tell(language, who)} {_range(values, words.grouped, language)}"
+        for who, values in (("ours", needs["backend"]), ("the_baselines", needs["baseline"]))
         if values
     ]
-    return [f"Bytes per sphere, exact rows: {'; '.join(parts)}."] if parts else []
+    if not parts:
+        return []
+    return [tell(language, "bytes", needs=tell(language, "semicolon").join(parts))]

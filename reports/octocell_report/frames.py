@@ -7,8 +7,8 @@ from statistics import median
 
 import pandas as pd
 
-from octocell_report import tables, words
-from octocell_report.load import Result
+from octocell_report import dynamic, tables, words
+from octocell_report.load import RUNS, Result
 
 
 def times_frame(result: Result) -> pd.DataFrame:
@@ -23,15 +23,16 @@ def times_frame(result: Result) -> pd.DataFrame:
             "rule": row.impl.rule,
             "threads": row.impl.threads,
             "run": row.run,
+            "motion": row.motion.scene if row.motion else None,
             "status": row.status,
             "exhibit": row.exhibit,
             "missed": row.missed,
             "false": row.false,
             "duplicates": row.duplicates,
             "median_ms": row.median_ms,
-            "min_ms": min(row.total_ms),
-            "max_ms": max(row.total_ms),
-            "rounds": len(row.total_ms),
+            "min_ms": min(row.round_ms),
+            "max_ms": max(row.round_ms),
+            "rounds": len(row.round_ms),
             "plan_ms": row.plan_ms,
             "ns_per_sphere": tables.ns_per_sphere(row),
             "candidates_per_pair": tables.candidates_per_pair(result, row),
@@ -67,6 +68,8 @@ def ratios_frame(result: Result) -> pd.DataFrame:
             "scene": ratio.place.scene,
             "n": ratio.place.n,
             "run": ratio.run,
+            "own_run": ratio.own_run,
+            "motion": ratio.motion,
             "implementation": labels[ratio.impl],
             "against": ratio.family,
             "reference": labels[ratio.reference],
@@ -75,7 +78,7 @@ def ratios_frame(result: Result) -> pd.DataFrame:
             "max": max(ratio.rounds),
             "rounds": len(ratio.rounds),
         }
-        for run in tables.runs(result)
+        for run in RUNS
         for ratio in tables.ratios(result, run)
     )
 
@@ -97,6 +100,29 @@ def stages_frame(result: Result) -> pd.DataFrame:
         for stage, host in row.fused.items():
             found.append(head | {"stage": stage, "median_ms": None, "fused_into": host})
     return pd.DataFrame(found)
+
+
+def motion_frame(result: Result) -> pd.DataFrame:
+    """Long form, one line per frame: over the rounds."""
+    labels = words.labels(result)
+    return pd.DataFrame(
+        {
+            "scene": course.place.scene,
+            "n": course.place.n,
+            "motion": course.motion,
+            "implementation": labels[row.impl],
+            "status": row.status,
+            "frame": index,
+            "warmup": index < row.motion.warmup,
+            "median_ms": median(times),
+            "min_ms": min(times),
+            "max_ms": max(times),
+        }
+        for course, rows in dynamic.courses(result).items()
+        for row in rows
+        if row.motion
+        for index, times in enumerate(zip(*row.motion.frame_ms, strict=True))
+    )
 
 
 def correctness_frame(result: Result) -> pd.DataFrame:
@@ -139,6 +165,7 @@ _FRAMES = {
     "slopes": slopes_frame,
     "ratios": ratios_frame,
     "stages": stages_frame,
+    "frames": motion_frame,
     "correctness": correctness_frame,
     "skipped": skipped_frame,
     "unavailable": unavailable_frame,

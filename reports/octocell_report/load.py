@@ -27,9 +27,10 @@ from octocell_report.fields import (
     one_of,
     or_null,
 )
+from octocell_report.motion import Motion, motion_of
 
 SCHEMA = 1
-RUNS = ("cold", "warm", "first_update", "update")
+RUNS = ("cold", "warm", "first_update", "update", "dynamic")
 STATUSES = ("ok", "wrong", "skipped")
 KINDS = ("backend", "baseline")
 # In the order in which they run; the JSON may hold them in any.
@@ -93,11 +94,24 @@ class Row:
     plan_ms: float | None
     peak_bytes: int | None
     output_bytes: int | None
+    motion: Motion | None  # of dynamic rows only, and not of all
+    known_faults: str  # why its library can lose pairs however it is driven; empty if it cannot
+
+    @property
+    def round_ms(self) -> tuple[float, ...]:
+        """One time per round: the steady frame of a row with frames, else the total."""
+        return self.motion.steady if self.motion else self.total_ms
 
     @property
     def median_ms(self) -> float:
         """Median over the rounds; NaN for a skipped row."""
-        return median(self.total_ms) if self.total_ms else math.nan
+        return median(self.round_ms) if self.round_ms else math.nan
+
+    @property
+    def excused(self) -> bool:
+        """Wrong in the way that its library is known for: pairs are missed, nothing else."""
+        only_missed = self.false == 0 and self.duplicates == 0
+        return bool(self.status == "wrong" and self.known_faults and only_missed)
 
     @property
     def counts(self) -> bool:
@@ -261,13 +275,19 @@ def _row(item: Any, index: int) -> Row:
         exhibit=fields.take("exhibit", is_bool),
         status=status,
         reason=fields.take("reason", is_text if status == "skipped" else or_null(is_text)),
+        known_faults=_optional_text(fields, "known_faults"),
         **(_unmeasured() if status == "skipped" else _measured(fields)),
     )
 
 
+def _optional_text(fields: Fields, key: str) -> str:
+    found: str | None = fields.take(key, or_null(is_text)) if key in fields.value else None
+    return found or ""
+
+
 def _unmeasured() -> Json:
     nothing: Json = dict.fromkeys(_MEASURED)
-    return nothing | {"total_ms": (), "stage_ms": {}, "fused": {}}
+    return nothing | {"total_ms": (), "stage_ms": {}, "fused": {}, "motion": None}
 
 
 def _measured(fields: Fields) -> Json:
@@ -275,6 +295,7 @@ def _measured(fields: Fields) -> Json:
     if not found["total_ms"]:
         raise ReportError(f"{fields.title}: field 'total_ms' has no round")
     found["total_ms"] = tuple(found["total_ms"])
+    found["motion"] = motion_of(fields)
     known = sorted(found["stage_ms"].items(), key=lambda item: _rank(item[0]))
     found["stage_ms"] = {stage: tuple(ms) for stage, ms in known if ms}
     return found

@@ -80,6 +80,7 @@ RC: dict[str, Any] = {
     "figure.facecolor": "white",
     "savefig.facecolor": "white",
     "hatch.linewidth": 0.6,
+    "svg.hashsalt": "octocell",  # ids in SVG files: the same in every run
 }
 
 

@@ -12,6 +12,9 @@ import numpy as np
 from octocell_report import words
 from octocell_report.load import RUNS, Group, Impl, Place, Result, Row
 
+UPDATES = ("first_update", "update")
+DYNAMIC = "dynamic"
+
 
 def curves(result: Result, scene: str, run: str) -> dict[Impl, list[Row]]:
     """Rows whose time may stand bare, ascending by size, for sizes above zero."""
@@ -59,10 +62,12 @@ class Ratio:
 
     impl: Impl
     place: Place
-    run: str
+    run: str  # of the reference
     family: str  # of the reference: fcl, bullet
     reference: Impl
     rounds: tuple[float, ...]  # reference / row, round by round: the two were interleaved
+    own_run: str  # of the row: the same, or warm where only the reference updates
+    motion: str | None  # how the spheres move, in dynamic runs
 
     @property
     def median(self) -> float:
@@ -87,25 +92,45 @@ def fastest(rows: list[Row], family: str) -> Row | None:
 
 def round_ratios(reference: Row, row: Row) -> tuple[float, ...]:
     """reference / row for the rounds that both have; empty where the row took no time."""
-    pairs = zip(reference.total_ms, row.total_ms, strict=False)
+    pairs = zip(reference.round_ms, row.round_ms, strict=False)
     return tuple(theirs / ours for theirs, ours in pairs if ours > 0)
 
 
 def ratios(result: Result, run: str, kind: str = "backend") -> list[Ratio]:
-    """Every exact row of that kind against the fastest exact baseline of each library."""
+    """Every exact row of that kind against the fastest exact baseline of each library.
+
+    Our backends have no run of an update: they find all pairs anew. So their warm rows, measured in
+    the same rounds, are held against the baselines' updates.
+    """
     found = []
     for group in result.groups:
-        rows = result.at(group.place, run)
-        for name in families(result):
-            reference = fastest(rows, name)
-            for row in rows:
-                if reference is None or row.kind != kind or not row.counts:
-                    continue
-                rounds = round_ratios(reference, row)
-                if rounds:
-                    ratio = Ratio(row.impl, row.place, run, name, reference.impl, rounds)
-                    found.append(ratio)
+        here = result.at(group.place, run)
+        own = [row for row in here if row.kind == kind]
+        if not own and run in UPDATES:
+            own = [row for row in result.at(group.place, "warm") if row.kind == kind]
+        for motion in dict.fromkeys(_motion(row) for row in here):
+            theirs = [row for row in here if _motion(row) == motion]
+            ours = [row for row in own if run in UPDATES or _motion(row) == motion]
+            found += _held_against(result, run, ours, theirs)
     return found
+
+
+def _held_against(result: Result, run: str, ours: list[Row], theirs: list[Row]) -> list[Ratio]:
+    found = []
+    for name in families(result):
+        reference = fastest(theirs, name)
+        for row in ours:
+            if reference is None or not row.counts:
+                continue
+            rounds = round_ratios(reference, row)
+            if rounds:
+                head = (row.impl, row.place, run, name, reference.impl, rounds, row.run)
+                found.append(Ratio(*head, _motion(reference)))
+    return found
+
+
+def _motion(row: Row) -> str | None:
+    return row.motion.scene if row.motion else None
 
 
 @dataclass(frozen=True)
@@ -173,6 +198,6 @@ def candidates_per_pair(result: Result, row: Row) -> float:
 
 
 def runs(result: Result) -> list[str]:
-    """Which kinds of run the result holds."""
+    """Which kinds of run at rest the result holds."""
     held = {row.run for row in result.rows}
-    return [run for run in RUNS if run in held]
+    return [run for run in RUNS if run in held and run != DYNAMIC]

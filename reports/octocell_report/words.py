@@ -80,6 +80,11 @@ def verdict(row: Row) -> str:
     return "exhibit, exact here"
 
 
+def run(name: str) -> str:
+    """'first_update' -> 'first update'."""
+    return name.replace("_", " ")
+
+
 def place(where: Place) -> str:
     return f"{where.scene} {size(where.n)}"
 

@@ -121,3 +121,11 @@ def test_a_wrong_row_may_not_know_its_losses():
     document = one_row()
     document["rows"] = [wrong(row(), missed=1) | {"missed": None, "false": None}]
     assert parse(document).rows[0].status == "wrong"
+
+
+def test_known_faults_are_optional_text():
+    assert parse(one_row()).rows[0].known_faults == ""
+    assert parse(one_row(known_faults=None)).rows[0].known_faults == ""
+    assert parse(one_row(known_faults="ties")).rows[0].known_faults == "ties"
+    with pytest.raises(ReportError, match="'known_faults' is 3"):
+        parse(one_row(known_faults=3))

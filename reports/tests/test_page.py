@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt
 import pandas as pd
 import pytest
 
-from octocell_report import check, findings, page, plots, style
+from octocell_report import check, findings, page, page_tables, plots, style
 from octocell_report.cli import main
 from octocell_report.load import STAGES, parse
 
@@ -33,9 +33,19 @@ def built(tmp_path_factory):
 
 def test_build_writes_every_plot_every_table_and_a_page(built):
     names = {path.name for path in built.iterdir()}
-    assert names == page.owned_names() - {"speed_first_update.png", "speed_update.png"}
+    assert names == page.owned_names() - {"dynamic.png", "dynamic.svg", "frames.csv"}
     for path in built.glob("*.png"):
         assert path.read_bytes().startswith(PNG)
+    for path in built.glob("*.svg"):
+        assert "<svg" in path.read_text() and "<text" not in path.read_text()  # no font needed
+
+
+def test_svg_files_are_the_same_in_every_run(save, tmp_path):
+    path = save(synthetic.document([group("gas", 1000)], [row()]))
+    for name in ("a", "b"):
+        assert main(["build", str(path), "-o", str(tmp_path / name)]) == 0
+    first, second = ((tmp_path / name / "correctness.svg").read_bytes() for name in ("a", "b"))
+    assert first == second
 
 
 def test_the_page_needs_nothing_from_outside(built):
@@ -43,9 +53,35 @@ def test_the_page_needs_nothing_from_outside(built):
     sources = re.findall(r'src="(.{22})', html)
     assert len(sources) == len(list(built.glob("*.png")))
     assert set(sources) == {"data:image/png;base64,"}
-    assert not re.search(
-        r"(https?:)?//[a-z]|@import|<script|<link|url\(", re.sub(r'src="[^"]*"', "", html)
+    outside = r"(https?:)?//[a-z]|@import|<script[^>]|<link|url\(|fetch\(|XMLHttp|import\("
+    assert not re.search(outside, re.sub(r'src="[^"]*"', "", html))
+
+
+def test_the_page_is_complete_without_its_script(built):
+    html = re.sub(r"<script>.*?</script>", "", (built / "index.html").read_text(), flags=re.DOTALL)
+    assert 'id="language-en" value="en" checked' in html
+    assert "#language-en:checked ~ main [lang=zh]" in html
+    assert "<button" not in html and 'type="search"' not in html  # made by the script alone
+    for text in ("Time against size, warm", "时间与规模，热运行", "lowest to highest round"):
+        assert text in html
+
+
+def test_speed_ups_have_a_table_for_every_run(every_case):
+    found = page_tables.speedups(parse(every_case))
+    assert list(found) == ["cold", "warm", "first_update", "update"]
+    line = next(
+        line for line in found["update"].lines if line.cells[2].text == "impl_cpu lowest_cell"
     )
+    # Ours, warm, 1.5e-4 n^1.04; FCL's fastest at update, 0.7 * 7e-4 n^1.11; round k alike.
+    law = 0.7 * 7e-4 * 1000**1.11 / (1.5e-4 * 1000**1.04)
+    assert line.cells[4].value == pytest.approx(law)
+    assert (line.cells[5].text, line.cells[6].text) == ("5.30× .. 5.30×", "3")
+
+
+def test_cells_are_sorted_by_their_numbers(built):
+    html = (built / "index.html").read_text()
+    assert '<td class="size" data-value="100000">100k</td>' in html
+    assert re.search(r'<td class="time" data-value="0\.\d+">0\.\d+<small>', html)
 
 
 def test_the_page_says_what_happened(built):
@@ -139,6 +175,18 @@ def test_check_passes_with_one_line_when_only_exhibits_are_wrong(save, capsys):
     rows = [row(), row(run="cold"), wrong(row(rule="as_written", exhibit=True), missed=9)]
     assert main(["check", str(save(synthetic.document([group("gas", 1000)], rows)))]) == 0
     assert capsys.readouterr().out == "All 2 default rows are exact. 0 skipped, 1 exhibits.\n"
+
+
+def test_a_known_fault_excuses_missed_pairs_and_nothing_else(save, capsys):
+    known = row("fcl_sap", None, None, known_faults="ties are lost")
+    for losses, code in (({"missed": 3}, 0), ({"missed": 3, "false": 1}, 1)):
+        document = synthetic.document([group("gas", 1000)], [row(), wrong(known, **losses)])
+        assert main(["check", str(save(document))]) == code
+    assert "1 miss pairs by known" not in capsys.readouterr().out.splitlines()[-1]
+    result = parse(synthetic.document([group("gas", 1000)], [row(), wrong(known, missed=3)]))
+    assert check.summary(check.judge(result)).startswith("The only default row is exact. 0 skipped")
+    assert "fcl_sap is wrong on gas 1k (−3 +0)." in findings.correctness(result)
+    assert "1 rows of baselines miss pairs" in findings.overview(result)[0]
 
 
 def test_check_does_not_pass_where_nothing_was_checked(save, capsys):

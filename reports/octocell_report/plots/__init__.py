@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from octocell_report import style, tables
 from octocell_report.load import Impl, Result
-from octocell_report.plots import correctness, memory, speed, stages, time
+from octocell_report.plots import correctness, dynamic, memory, speed, stages, time
 from octocell_report.style import Look
 
 # Every name that draw_all() may use: a build replaces or removes these and nothing else.
@@ -21,6 +21,7 @@ NAMES = (
     "stages_baseline",
     "stages_per_sphere",
     *(f"speed_{run}" for run in ("warm", "cold", "first_update", "update")),
+    "dynamic",
     "correctness",
     "memory",
 )
@@ -45,6 +46,7 @@ def _plans(result: Result, looks: dict[Impl, Look]) -> dict[str, Callable[[], Fi
         "stages_baseline": partial(stages.draw, result, looks, "baseline"),
         "stages_per_sphere": partial(stages.draw_per_sphere, result, looks),
         **{f"speed_{run}": partial(speed.draw, result, looks, run) for run in runs},
+        "dynamic": partial(dynamic.draw, result, looks),
         "correctness": partial(correctness.draw, result, looks),
         "memory": partial(memory.draw, result, looks),
     }

@@ -39,11 +39,12 @@ def draw(result: Result, looks: dict[Impl, Look], run: str) -> Figure | None:
     for ax, family in zip(axes[0], families, strict=True):
         _panel(ax, looks, [r for r in found if r.family == family], rows)
         ax.set_title(f"against {words.family_title(family)}'s fastest", pad=10)
-    _key(figure, [looks[impl] for impl in impls], run)
+    own = words.run(found[0].own_run)
+    _key(figure, [looks[impl] for impl in impls], f"{own} against {words.run(run)}")
     return figure
 
 
-def _key(figure: Figure, shown: list[Look], run: str) -> None:
+def _key(figure: Figure, shown: list[Look], runs: str) -> None:
     """The title and the marks' names, on top: the figure can be tall."""
     handles = [
         Line2D([], [], color=look.colour, marker=look.marker, markersize=8, label=look.label)
@@ -54,7 +55,7 @@ def _key(figure: Figure, shown: list[Look], run: str) -> None:
         loc="outside upper left",
         ncols=min(4, len(handles)),
         alignment="left",
-        title=f"Speed, {run} against {run}: baseline time / our time, round by round\n"
+        title=f"Speed, {runs}: baseline time / our time, round by round\n"
         "marks: median; bars: lowest to highest round; grey names: the baseline of that line",
         title_fontsize=12.5,
     )

@@ -55,7 +55,7 @@ def draw(result: Result, looks: dict[Impl, Look], kind: str) -> Figure | None:
 
 def draw_per_sphere(result: Result, looks: dict[Impl, Look]) -> Figure | None:
     """One facet per implementation of ours, one bar per scene; one scale per backend."""
-    places = [place for place in map(result.largest, result.scenes) if place]
+    places = [p for p in map(result.largest, result.scenes) if p and result.at(p, RUN)]
     rows = {(r.impl, r.place): r for r in result.rows if r.run == RUN and r.stage_ms}
     impls = [i for i in result.impls_of("backend") if any((i, p) in rows for p in places)]
     if not impls:

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// A proxy's sphere, where Bullet has room for a pointer.
+#pragma once
+
+#include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace octocell::baselines {
+
+/// Bullet takes a null client for a free slot in places, so ids start at 1.
+inline void* client_of(std::size_t id) { return reinterpret_cast<void*>(id + 1); }
+inline std::uint32_t id_of(const btBroadphaseProxy* proxy) {
+  return static_cast<std::uint32_t>(reinterpret_cast<std::size_t>(proxy->m_clientObject) - 1);
+}
+
+}  // namespace octocell::baselines

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace octocell::bench {
+
+/// One benchmark of Google Benchmark with manual time: calls run_ms `iterations` times, each
+/// returning what it took in milliseconds, and returns the average.
+double average_ms(const std::string& name, std::uint64_t iterations,
+                  const std::function<double()>& run_ms);
+
+}  // namespace octocell::bench

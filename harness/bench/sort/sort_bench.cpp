@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "harness/bench/sort/sort_bench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <random>
+#include <regex>
+
+#include "harness/bench/interrupts.hpp"
+#include "harness/bench/machine.hpp"
+#include "harness/bench/progress.hpp"
+#include "harness/bench/result_file.hpp"
+#include "harness/bench/sort/sort_rows.hpp"
+#include "harness/interface/error.hpp"
+
+namespace octocell::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kSchema = 1;
+constexpr int kExitWrongAnswer = 1;
+constexpr int kExitInterrupted = 130;
+constexpr double kMinTimeMs = 3.0;  // a measurement repeats short sorts for at least this long
+
+// Progress counts in spheres; to sort one pair costs far less than to find those of one sphere.
+constexpr double kSpheresPerPair = 0.05;
+
+/// A case and its rows, before anything is run.
+struct PlannedCase {
+  SortCase what;
+  std::vector<SortRow> rows;
+};
+
+/// Everything that the options ask for. What is wrong with them is said here, before a file is
+/// touched.
+std::vector<PlannedCase> plan_cases(const SortBenchOptions& options) {
+  std::regex filter;
+  try {
+    filter = std::regex(options.filter, std::regex::extended);
+  } catch (const std::regex_error&) {
+    throw InputError(fmt::format("filter '{}': not a regular expression", options.filter));
+  }
+  std::vector<PlannedCase> planned;
+  for (const SortCase& what : sort_cases(options.preset)) {
+    PlannedCase next = {what, sort_rows(options.threads)};
+    std::erase_if(next.rows, [&](const SortRow& row) {
+      return !std::regex_search(row_name(row, what), filter);
+    });
+    if (!next.rows.empty()) planned.push_back(std::move(next));
+  }
+  if (planned.empty()) throw InputError(fmt::format("no row matches '{}'", options.filter));
+  return planned;
+}
+
+/// Input, two pairs of arrays, one packed array, and what std::stable_sort asks for.
+constexpr double kBytesPerPair = 40.0;
+
+/// Throws LimitError here and now, instead of leaving the matter to the kernel, which would end
+/// the program in the middle. Says nothing where /proc/meminfo does not tell.
+void require_memory(const std::vector<PlannedCase>& cases) {
+  constexpr double kGiB = 1073741824.0;
+  const double needed = kBytesPerPair * cases.back().what.n;  // the largest comes last
+  std::ifstream meminfo("/proc/meminfo");
+  std::string word;
+  double kilobytes = 0.0;
+  while (meminfo >> word && word != "MemAvailable:") continue;
+  if (!(meminfo >> kilobytes) || needed <= kilobytes * 1024.0) return;
+  throw LimitError(
+      fmt::format("n={} needs {:.1f} GiB, and {:.1f} GiB are available; --filter "
+                  "chooses smaller cases",
+                  cases.back().what.n, needed / kGiB, kilobytes * 1024.0 / kGiB));
+}
+
+std::optional<std::string> why_skipped(const SortRow& row, const SortCase& what) {
+  if (row.how->create == nullptr) return std::string(row.how->why_missing);
+  if (row.how->slow && !what.slow_rows)
+    return "a comparison sort would take too long at this size; --preset full runs it";
+  return std::nullopt;
+}
+
+/// A row while its case runs: its place in the whole bench, and what runs it.
+struct ActiveRow {
+  std::size_t step;
+  SortRunner runner;
+};
+
+class SortBench {
+ public:
+  explicit SortBench(const SortBenchOptions& options)
+      : options_(options),
+        rounds_(options.rounds.value_or(options.preset == "full" ? 5 : 3)),
+        cases_(plan_cases(options)),
+        file_(options.output),
+        document_({{"schema", kSchema},
+                   {"kind", "sort"},
+                   {"context", context()},
+                   {"rows", Json::array()}}),
+        progress_(steps()) {}
+
+  int run() {
+    require_memory(cases_);
+    file_.make_folder();
+    file_.require_writable();
+    listen_for_interrupts();
+    for (const PlannedCase& planned : cases_) {
+      run_case(planned);
+      if (interrupted()) break;
+      file_.write(document_);
+    }
+    return finish();
+  }
+
+ private:
+  [[nodiscard]] Json context() const {
+    Json context = describe_build_and_machine();
+    context["libraries"] = Json::object();
+    for (const auto& [name, version] : sort_libraries()) {
+      context["libraries"][std::string(name)] = version ? Json(*version) : Json();
+    }
+    context["preset"] = options_.preset;
+    context["filter"] = options_.filter;
+    context["rounds"] = rounds_;
+    context["min_time_ms"] = kMinTimeMs;
+    context["finished"] = false;
+    return context;
+  }
+
+  [[nodiscard]] std::vector<Progress::Step> steps() const {
+    std::vector<Progress::Step> steps;
+    for (const auto& [what, rows] : cases_) {
+      for (const SortRow& row : rows) {
+        // Short sorts are repeated: the time does not shrink with them.
+        const double pairs = why_skipped(row, what) ? 0.0 : std::max(what.n, 1u << 17);
+        steps.push_back({label(row), pairs * kSpheresPerPair, 1.0 + rounds_});
+      }
+    }
+    return steps;
+  }
+
+  static std::string label(const SortRow& row) {
+    return fmt::format("{} threads={}", row.how->name, row.threads);
+  }
+
+  void run_case(const PlannedCase& planned) {
+    SortSubject subject(planned.what);
+    std::vector<ActiveRow> rows;
+    for (const SortRow& row : planned.rows) {
+      rows.push_back({next_step_++, SortRunner(row, subject, why_skipped(row, planned.what))});
+    }
+    for (ActiveRow& row : rows) {
+      if (!row.runner.runs()) continue;
+      step(planned.what, row, "checking", 1.0, [&] { row.runner.verify(kMinTimeMs); });
+    }
+    measure_rounds(planned.what, rows);
+    if (interrupted()) return;  // a case counts when it is whole
+    for (const ActiveRow& row : rows) {
+      any_wrong_ = any_wrong_ || row.runner.wrong();
+      document_["rows"].push_back(row.runner.json());
+    }
+  }
+
+  /// Each round measures every row once, in an order of its own.
+  void measure_rounds(const SortCase& what, std::vector<ActiveRow>& rows) {
+    std::vector<ActiveRow*> order;
+    for (ActiveRow& row : rows) order.push_back(&row);
+    std::mt19937 shuffler(1);
+    for (int round = 0; round < rounds_; ++round) {
+      std::shuffle(order.begin(), order.end(), shuffler);
+      const std::string title = fmt::format("round {} of {}", round + 1, rounds_);
+      for (ActiveRow* row : order) {
+        if (!row->runner.runs()) continue;
+        step(what, *row, title, 2.0 + round, [&] { row->runner.measure(); });
+      }
+    }
+  }
+
+  /// Runs one piece of work unless Ctrl-C came, between progress and progress.
+  template <typename Work>
+  void step(const SortCase& what, const ActiveRow& row, std::string_view title, double passes,
+            const Work& work) {
+    if (interrupted()) return;
+    progress_.show(row.step, fmt::format("{} n={} bits={} {}, {}", label(row.runner.row()), what.n,
+                                         what.bits, name_of(what.order), title));
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    progress_.learn(row.step, taken.count(), passes / (1.0 + rounds_));
+  }
+
+  int finish() {
+    document_["context"]["finished"] = !interrupted();
+    file_.write(document_);
+    progress_.note(fmt::format("{}{}", interrupted() ? "interrupted; finished cases are in " : "",
+                               options_.output));
+    if (interrupted()) return kExitInterrupted;
+    return any_wrong_ ? kExitWrongAnswer : 0;
+  }
+
+  SortBenchOptions options_;
+  int rounds_;
+  std::vector<PlannedCase> cases_;
+  ResultFile file_;
+  Json document_;
+  Progress progress_;
+  std::size_t next_step_ = 0;
+  bool any_wrong_ = false;
+};
+
+}  // namespace
+
+int run_sort_bench(const SortBenchOptions& options) { return SortBench(options).run(); }
+
+}  // namespace octocell::bench

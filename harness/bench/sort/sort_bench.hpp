@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Time our radix sort beside the sorts of libraries, check every answer, write JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace octocell::bench {
+
+struct SortBenchOptions {
+  std::string preset = "quick";  // quick or full; which sizes, widths, orders and rounds
+  std::string filter;            // regular expression on row names; empty: all
+  std::string output = "reports/out/sort.json";
+  std::optional<int> rounds;  // instead of the preset's
+  int threads = 1;            // of the rows with several threads
+};
+
+/// Returns the exit code: 0; 1 if a row is wrong; 130 after Ctrl-C, with every finished case in the
+/// output. Throws InputError.
+int run_sort_bench(const SortBenchOptions& options);
+
+}  // namespace octocell::bench

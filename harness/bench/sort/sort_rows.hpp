@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/bench/sort/algorithms.hpp"
+#include "harness/bench/sort/sort_cases.hpp"
+#include "harness/bench/sort/sort_check.hpp"
+
+namespace octocell::bench {
+
+struct SortRow {
+  const Algorithm* how;
+  int threads;
+};
+
+/// On one thread each; those that can, on `threads` as well.
+std::vector<SortRow> sort_rows(int threads);
+
+/// "sort/algorithm:impl_cpu/n:4096/bits:8/order:random/threads:1"
+std::string row_name(const SortRow& row, const SortCase& what);
+
+/// The input of a case, and where its rows work.
+struct SortSubject {
+  explicit SortSubject(const SortCase& what);
+
+  SortCase what;
+  std::vector<std::uint32_t> keys;
+  std::vector<std::uint32_t> values;  // 0, 1, 2, ...
+  SortTruth truth;
+  Workspace work;
+};
+
+/// Runs one row of a case: first to see whether it is right, then round by round. Every answer is
+/// checked, outside the time.
+class SortRunner {
+ public:
+  /// `skipped`: why the row will not run, if it will not.
+  SortRunner(const SortRow& row, SortSubject& subject, std::optional<std::string> skipped);
+
+  /// One sort. Its time tells how often a measurement has to repeat it.
+  void verify(double min_time_ms);
+
+  /// One measurement by Google Benchmark.
+  void measure();
+
+  [[nodiscard]] const SortRow& row() const { return row_; }
+  [[nodiscard]] bool runs() const { return !skipped_ && !wrong_; }
+  [[nodiscard]] bool wrong() const { return wrong_.has_value(); }
+  [[nodiscard]] nlohmann::ordered_json json() const;
+
+ private:
+  /// Sorts the input once; checks the answer after the time was taken.
+  double sort_ms();
+
+  SortRow row_;
+  SortSubject& subject_;
+  std::unique_ptr<Sorter> sorter_;
+  std::uint64_t iterations_ = 0;
+  std::vector<double> total_ms_;  // one a round
+  std::optional<std::string> skipped_;
+  std::optional<std::string> wrong_;  // what is
+};
+
+}  // namespace octocell::bench

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What every grid backend sorts, and what its cell index holds.
+#pragma once
+
+#include <cstdint>
+
+#include "harness/interface/sphere.hpp"
+
+namespace octocell {
+
+/// The sorted value: a sphere's id with four control bits above it.
+///   bit 31      this cell is a phantom cell of the sphere
+///   bits 28-30  per axis (x, y, z): this cell is the lowest one that the sphere meets
+using Object = std::uint32_t;
+inline constexpr int kLowestShift = 28;
+inline constexpr Object kIdMask = (1U << kLowestShift) - 1;
+inline constexpr Object kLowestMask = 7U << kLowestShift;
+inline constexpr Object kPhantom = 1U << 31;
+static_assert(kMaxSpheres == kIdMask + 1ULL);
+
+/// A run of the sorted arrays: one cell's homes, then its phantoms.
+struct CellEntry {
+  std::uint32_t begin;
+  std::uint32_t homes;
+  std::uint32_t phantoms;
+};
+
+}  // namespace octocell

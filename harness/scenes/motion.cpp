@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "harness/scenes/motion.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "harness/interface/error.hpp"
+#include "harness/scenes/portable_math.hpp"
+
+namespace octocell {
+namespace {
+
+constexpr double kStep = 0.0577;        // of the radius: at most 0.1 radii in three dimensions
+constexpr double kAcceleration = 0.02;  // of the largest radius, a frame and frame
+constexpr double kRestitution = 0.5;
+
+struct Body {
+  double position[3];
+  double velocity[3];
+};
+
+struct World {
+  std::vector<Body> bodies;
+  double lowest[3];
+  double highest[3];
+  double r_max = 0.0;
+};
+
+World world_of(const std::vector<Sphere>& start) {
+  World world;
+  std::fill_n(world.lowest, 3, std::numeric_limits<double>::infinity());
+  std::fill_n(world.highest, 3, -std::numeric_limits<double>::infinity());
+  for (const Sphere& s : start) {
+    world.bodies.push_back({{s.x, s.y, s.z}, {0, 0, 0}});
+    world.r_max = std::max<double>(world.r_max, s.r);
+    for (int a = 0; a < 3; ++a) {
+      world.lowest[a] = std::min(world.lowest[a], world.bodies.back().position[a]);
+      world.highest[a] = std::max(world.highest[a], world.bodies.back().position[a]);
+    }
+  }
+  return world;
+}
+
+/// Once is enough for steps shorter than the box; a thinner box is clamped.
+double reflect(double value, double low, double high) {
+  if (value < low) value = low + (low - value);
+  if (value > high) value = high - (value - high);
+  return std::clamp(value, low, high);
+}
+
+void step_brownian(World& world, const std::vector<Sphere>& radii, Random& random) {
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    for (int a = 0; a < 3; ++a) {
+      const double step = (2.0 * random.uniform() - 1.0) * kStep * radii[i].r;
+      double& p = world.bodies[i].position[a];
+      p = reflect(p + step, world.lowest[a], world.highest[a]);
+    }
+  }
+}
+
+void step_free_fall(World& world) {
+  for (Body& body : world.bodies) {
+    double& z = body.position[2];
+    double& speed = body.velocity[2];
+    speed -= kAcceleration * world.r_max;
+    z += speed;
+    if (z >= world.lowest[2]) continue;
+    z = world.lowest[2] + (world.lowest[2] - z) * kRestitution;
+    speed = -speed * kRestitution;
+  }
+}
+
+void step_gravity(World& world) {
+  for (Body& body : world.bodies) {
+    double pull[3];
+    double length2 = 0.0;
+    for (int a = 0; a < 3; ++a) {
+      pull[a] = (world.lowest[a] + world.highest[a]) / 2.0 - body.position[a];
+      length2 += pull[a] * pull[a];
+    }
+    const double length = std::sqrt(length2);
+    for (int a = 0; a < 3; ++a) {
+      if (length > 0.0) body.velocity[a] += kAcceleration * world.r_max * pull[a] / length;
+      body.position[a] += body.velocity[a];
+    }
+  }
+}
+
+std::vector<Sphere> snapshot(const World& world, const std::vector<Sphere>& radii) {
+  std::vector<Sphere> spheres;
+  spheres.reserve(radii.size());
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    const double* p = world.bodies[i].position;
+    spheres.push_back(
+        {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]), radii[i].r});
+  }
+  return spheres;
+}
+
+}  // namespace
+
+Motion motion_named(std::string_view name) {
+  const auto found = std::ranges::find(kMotionNames, name);
+  if (found != kMotionNames.end()) return static_cast<Motion>(found - kMotionNames.begin());
+  throw InputError(
+      fmt::format("unknown motion '{}'; known: {}", name, fmt::join(kMotionNames, ", ")));
+}
+
+Frames move(const std::vector<Sphere>& start, Motion motion, int count, std::uint64_t seed) {
+  World world = world_of(start);
+  Random random(seed);
+  Frames frames = {start};
+  while (static_cast<int>(frames.size()) < count) {
+    switch (motion) {
+      case Motion::brownian:
+        step_brownian(world, start, random);
+        break;
+      case Motion::free_fall:
+        step_free_fall(world);
+        break;
+      case Motion::gravity:
+        step_gravity(world);
+        break;
+    }
+    frames.push_back(snapshot(world, start));
+  }
+  return frames;
+}
+
+Frames load_frames(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (entry.path().extension() == ".npy") files.push_back(entry.path().string());
+  }
+  if (error) throw InputError(fmt::format("{}: {}", folder, error.message()));
+  if (files.empty()) throw InputError(fmt::format("{}: holds no frames (*.npy)", folder));
+  std::sort(files.begin(), files.end());
+  Frames frames;
+  for (const std::string& file : files) {
+    frames.push_back(load_scene(file).spheres);
+    if (frames.back().size() == frames.front().size()) continue;
+    throw InputError(fmt::format("{}: {} spheres, but the first frame has {}", file,
+                                 frames.back().size(), frames.front().size()));
+  }
+  return frames;
+}
+
+}  // namespace octocell

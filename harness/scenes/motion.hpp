@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Scenes that move: the three motions customary in broad-phase benchmarks, and recorded frames.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/scenes/scenes.hpp"
+
+namespace octocell {
+
+enum class Motion : std::uint8_t { brownian, free_fall, gravity };
+inline constexpr std::array<std::string_view, 3> kMotionNames = {"brownian", "free_fall",
+                                                                 "gravity"};
+
+/// The motion of that name. Throws InputError listing what is known.
+Motion motion_named(std::string_view name);
+
+/// The same spheres at successive times; frames[0] is the start. Radii and ids do not change.
+using Frames = std::vector<std::vector<Sphere>>;
+
+/// `count` frames from `start` on, at least one; no step along an axis is longer than 0.1 of the
+/// largest radius a frame at first. Same bits on every machine, as generate().
+///   brownian   independent uniform steps; walls of the starting box reflect
+///   free_fall  constant acceleration down the z axis; the floor returns half of the speed
+///   gravity    constant acceleration towards the middle of the starting box
+/// Spheres pass through one another: a broad phase reports pairs, it does not resolve them.
+Frames move(const std::vector<Sphere>& start, Motion motion, int count, std::uint64_t seed);
+
+/// Every *.npy of a folder, in the order of their names. Throws InputError if there is none, or if
+/// the frames hold different numbers of spheres.
+Frames load_frames(const std::string& folder);
+
+}  // namespace octocell

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Memory: the plan's arrays, and what Thrust's algorithms need in passing.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <new>
+
+#include "impl_thrust/cuda_check.cuh"
+
+namespace octocell::on_thrust {
+
+struct HostMemory {
+  static constexpr std::align_val_t kAlignment{64};
+  static char* allocate(std::size_t bytes) {
+    return static_cast<char*>(::operator new(bytes, kAlignment));
+  }
+  static void release(char* memory) { ::operator delete(memory, kAlignment); }
+};
+
+/// The allocator that Thrust is handed. What it gives back is kept for the next request of that
+/// size, so that a find_pairs() like the one before allocates nothing.
+template <typename Memory>
+class Scratch {
+ public:
+  using value_type = char;
+
+  Scratch() = default;
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() { release(); }
+
+  char* allocate(std::ptrdiff_t bytes) {
+    const std::scoped_lock lock(mutex_);  // OpenMP's merge sort asks from several threads at once
+    const std::size_t size = (static_cast<std::size_t>(bytes) / kGrain + 1) * kGrain;
+    if (const auto kept = free_.lower_bound(size); kept != free_.end() && kept->first <= 2 * size) {
+      char* memory = kept->second;
+      used_.emplace(memory, kept->first);
+      free_.erase(kept);
+      return memory;
+    }
+    char* memory = Memory::allocate(size);
+    ++allocations_;
+    used_.emplace(memory, size);
+    return memory;
+  }
+
+  void deallocate(char* memory, std::size_t) {
+    const std::scoped_lock lock(mutex_);
+    const auto block = used_.find(memory);
+    free_.emplace(block->second, memory);
+    used_.erase(block);
+  }
+
+  /// Gives back what is not in use.
+  void release() {
+    const std::scoped_lock lock(mutex_);
+    for (const auto& [size, memory] : free_) Memory::release(memory);
+    free_.clear();
+  }
+
+  /// Requests so far that had to be passed on.
+  [[nodiscard]] std::uint64_t allocations() const { return allocations_; }
+
+ private:
+  static constexpr std::size_t kGrain = 256;
+
+  std::mutex mutex_;
+  std::multimap<std::size_t, char*> free_;
+  std::map<char*, std::size_t> used_;
+  std::uint64_t allocations_ = 0;
+};
+
+}  // namespace octocell::on_thrust

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// Stage 2, cell_ids: in which cells does each sphere lie?
+// Reads spheres, plan. Writes one home id a sphere, then all phantom ids; control bits.
+// Cost: the cells of a sphere are computed twice, and 8 bytes an id.
+// Idea: count, scan, write. Each sphere counts its phantoms, a scan gives each its place behind the
+//       homes, and a second pass writes them there: no atomics, and the same order every time.
+#include <thrust/for_each.h>
+#include <thrust/logical.h>
+#include <thrust/scan.h>
+#include <thrust/transform.h>
+
+#include "harness/interface/as_written.hpp"
+#include "harness/interface/grid.hpp"
+#include "impl_thrust/stages.cuh"
+
+namespace octocell::on_thrust {
+namespace {
+
+OCTOCELL_HD Object object_of(std::uint32_t sphere, Cell cell, Cell lowest) {
+  const Object at_lowest = (cell.x == lowest.x ? 1U : 0U) | (cell.y == lowest.y ? 2U : 0U) |
+                           (cell.z == lowest.z ? 4U : 0U);
+  return sphere | at_lowest << kLowestShift;
+}
+
+/// Rules lowest_cell and chapter32: the cells that the box p +- reach meets.
+struct GridCells {
+  Grid grid;
+  bool scaled;  // reach is r, or chapter32's
+
+  [[nodiscard]] OCTOCELL_HD CellRange range(const Sphere& s) const {
+    return cells_met(grid, s, scaled ? chapter32::reach(s.r) : s.r);
+  }
+  [[nodiscard]] OCTOCELL_HD Cell home(const Sphere& s) const {
+    return cell_of(grid, s.x, s.y, s.z);
+  }
+  [[nodiscard]] OCTOCELL_HD std::uint64_t phantom_count(const Sphere& s) const {
+    const CellRange met = range(s);
+    return std::uint64_t{met.highest.x - met.lowest.x + 1} * (met.highest.y - met.lowest.y + 1) *
+               (met.highest.z - met.lowest.z + 1) -
+           1;
+  }
+  /// put_home(id, object), then put_phantom(id, object) for each phantom.
+  template <typename PutHome, typename PutPhantom>
+  OCTOCELL_HD void list(const Sphere& s, std::uint32_t sphere, PutHome put_home,
+                        PutPhantom put_phantom) const {
+    const CellRange met = range(s);
+    const Cell centre = home(s);
+    put_home(cell_id(grid, centre), object_of(sphere, centre, met.lowest));
+    for (std::uint32_t z = met.lowest.z; z <= met.highest.z; ++z) {
+      for (std::uint32_t y = met.lowest.y; y <= met.highest.y; ++y) {
+        for (std::uint32_t x = met.lowest.x; x <= met.highest.x; ++x) {
+          if (x == centre.x && y == centre.y && z == centre.z) continue;
+          const Cell cell = {x, y, z};
+          put_phantom(cell_id(grid, cell), object_of(sphere, cell, met.lowest) | kPhantom);
+        }
+      }
+    }
+  }
+};
+
+/// Rule as_written, by the course text's own grid.
+struct TextCells {
+  float side;
+
+  [[nodiscard]] OCTOCELL_HD std::uint64_t phantom_count(const Sphere& s) const {
+    std::uint64_t count = 0;
+    as_written::for_each_phantom(s, side, [&count](std::uint32_t) { ++count; });
+    return count;
+  }
+  template <typename PutHome, typename PutPhantom>
+  OCTOCELL_HD void list(const Sphere& s, std::uint32_t sphere, PutHome put_home,
+                        PutPhantom put_phantom) const {
+    put_home(as_written::hash(as_written::home(s, side)), sphere);
+    as_written::for_each_phantom(s, side,
+                                 [&](std::uint32_t id) { put_phantom(id, sphere | kPhantom); });
+  }
+};
+
+template <typename Cells>
+struct CountPhantoms {
+  Cells cells;
+  const Sphere* spheres;
+  std::uint64_t sphere_count;
+  OCTOCELL_HD std::uint64_t operator()(std::uint64_t i) const {
+    return i < sphere_count ? cells.phantom_count(spheres[i]) : 0;  // the last one: their sum
+  }
+};
+
+template <typename Cells>
+struct WriteCells {
+  Cells cells;
+  const Sphere* spheres;
+  std::uint64_t sphere_count;
+  const std::uint64_t* phantoms_before;
+  std::uint32_t* cell_ids;
+  Object* objects;
+
+  OCTOCELL_HD void put(std::uint64_t at, std::uint32_t id, Object object) const {
+    cell_ids[at] = id;
+    objects[at] = object;
+  }
+  OCTOCELL_HD void operator()(std::uint64_t i) const {
+    std::uint64_t next = sphere_count + phantoms_before[i];
+    cells.list(
+        spheres[i], static_cast<std::uint32_t>(i),
+        [&](std::uint32_t id, Object object) { put(i, id, object); },
+        [&](std::uint32_t id, Object object) { put(next++, id, object); });
+  }
+};
+
+template <typename System, typename Cells>
+void list_cells(Workspace<System>& w, const Cells& cells) {
+  const std::uint64_t count = w.sphere_count();
+  std::uint64_t* const before = w.phantoms_before.data();
+  thrust::transform(w.system.policy(), Positions(0), Positions(count + 1), before,
+                    CountPhantoms<Cells>{cells, w.spheres, count});
+  thrust::exclusive_scan(w.system.policy(), before, before + count + 1, before);
+  w.id_count = count + w.system.read(before + count);
+  if (!w.ids_complete()) return;
+  thrust::for_each_n(
+      w.system.policy(), Positions(0), count,
+      WriteCells<Cells>{cells, w.spheres, count, before, w.cell_ids.data(), w.objects.data()});
+}
+
+struct MeetsThreeCells {
+  GridCells cells;
+  OCTOCELL_HD bool operator()(const Sphere& s) const {
+    const auto [low, high] = cells.range(s);
+    return high.x - low.x > 1 || high.y - low.y > 1 || high.z - low.z > 1;
+  }
+};
+
+/// Bits 3..10: which of the eight types occur among the cells met.
+struct ControlBitsOf {
+  GridCells cells;
+  OCTOCELL_HD chapter32::ControlBits operator()(const Sphere& s) const {
+    const CellRange met = cells.range(s);
+    std::uint32_t types = 0;
+    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+      const Cell cell = {(corner & 1U) != 0 ? met.highest.x : met.lowest.x,
+                         (corner & 2U) != 0 ? met.highest.y : met.lowest.y,
+                         (corner & 4U) != 0 ? met.highest.z : met.lowest.z};
+      types |= 1U << chapter32::cell_type(cell);
+    }
+    return static_cast<chapter32::ControlBits>(types << 3 | chapter32::cell_type(cells.home(s)));
+  }
+};
+
+template <typename System>
+void list_chapter32(Workspace<System>& w) {
+  const GridCells cells = {w.plan.grid, true};
+  const Sphere* const end = w.spheres + w.sphere_count();
+  if (thrust::any_of(w.system.policy(), w.spheres, end, MeetsThreeCells{cells})) {
+    w.violation = "rule chapter32: a sphere meets three cells on one axis";
+    return;
+  }
+  thrust::transform(w.system.policy(), w.spheres, end, w.control_bits.data(), ControlBitsOf{cells});
+  list_cells(w, cells);
+}
+
+}  // namespace
+
+template <typename System>
+void cell_ids(Workspace<System>& w) {
+  w.id_count = w.sphere_count();
+  if (w.violation || w.sphere_count() == 0) return;
+  switch (w.plan.rule) {
+    case Rule::lowest_cell:
+      return list_cells(w, GridCells{w.plan.grid, false});
+    case Rule::chapter32:
+      return list_chapter32(w);
+    case Rule::as_written:
+      return list_cells(w, TextCells{as_written::cell_side(w.plan.facts.r_max)});
+  }
+}
+
+OCTOCELL_FOR_BOTH_SYSTEMS(cell_ids);
+
+}  // namespace octocell::on_thrust

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Stage 3, sort: bring equal cell ids together.
+// Reads and writes cell ids with their objects, grouped by cell, homes before phantoms.
+// Cost: all 32 bits of the key, whatever the grid uses; Thrust takes no number of bits.
+// Idea: stable_sort_by_key, since only stability keeps homes first; sort_by_key promises none.
+#include <thrust/sort.h>
+
+#include "impl_thrust/stages.cuh"
+
+namespace octocell::on_thrust {
+
+template <typename System>
+void sort(Workspace<System>& w) {
+  if (w.violation || !w.ids_complete()) return;
+  std::uint32_t* const keys = w.cell_ids.data();
+  thrust::stable_sort_by_key(w.system.policy(), keys, keys + w.id_count, w.objects.data());
+}
+
+OCTOCELL_FOR_BOTH_SYSTEMS(sort);
+
+}  // namespace octocell::on_thrust

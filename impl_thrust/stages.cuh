@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// The six stages of impl_thrust, and what they hand on.
+#pragma once
+
+#include <thrust/iterator/counting_iterator.h>
+
+#include <optional>
+#include <string>
+
+#include "harness/interface/chapter32.hpp"
+#include "harness/interface/object_word.hpp"
+#include "harness/interface/pair.hpp"
+#include "harness/interface/plan.hpp"
+#include "impl_thrust/systems.cuh"
+
+namespace octocell::on_thrust {
+
+/// Positions in the plan's arrays, one after another: what most algorithms here run over.
+using Positions = thrust::counting_iterator<std::uint64_t>;
+
+/// How many pairs one entry finds; after the scan, where they go.
+struct Found {
+  std::uint64_t sure;
+  std::uint64_t doubts;
+};
+
+/// Everything the stages share. Sized by the plan in allocate(); the stages allocate nothing but
+/// Thrust's scratch memory, which is kept.
+template <typename System>
+struct Workspace {
+  template <typename T>
+  using Array = typename System::template Array<T>;
+
+  System system;
+  Plan plan;
+  SceneView scene;                  // on the host: words about a sphere are made of it
+  const Sphere* spheres = nullptr;  // the same, where the system computes
+
+  Array<std::uint64_t> phantoms_before;        // [spheres + 1]
+  Array<std::uint32_t> cell_ids;               // [plan.capacity.ids]
+  Array<Object> objects;                       // [entries]
+  Array<chapter32::ControlBits> control_bits;  // [spheres], rule chapter32 only
+  Array<std::uint32_t> cell_begins;            // [plan.capacity.ids]
+  Array<CellEntry> cells;                      // [plan.capacity.cells]
+  Array<std::uint32_t> cell_end;               // [plan.capacity.ids] of the cell an entry lies in
+  Array<Sphere> members;                       // [entries] each entry's sphere, with band radius
+  Array<Found> found;                          // [entries + 1]
+  Array<Pair> doubts;                          // [plan.capacity.doubts]
+  Array<Pair> pairs;                           // [plan.capacity.pairs]
+
+  // What was met; past a capacity it is what is needed, and the array holds nothing.
+  std::uint64_t id_count = 0;
+  std::uint64_t cell_count = 0;
+  std::uint64_t candidates = 0;
+  std::uint64_t doubt_count = 0;
+  std::uint64_t sure_count = 0;
+  std::uint64_t pair_count = 0;
+  std::uint64_t checksum = 0;  // of the pairs, in a count_only plan
+  std::optional<std::string> violation;
+
+  [[nodiscard]] std::uint64_t sphere_count() const { return scene.spheres.size(); }
+  [[nodiscard]] bool brute_force() const { return plan.method == Method::brute_force; }
+  /// What stage 5 has one work item for each of: spheres, or ids.
+  [[nodiscard]] std::uint64_t entries() const { return brute_force() ? sphere_count() : id_count; }
+
+  [[nodiscard]] bool ids_complete() const { return brute_force() || id_count <= plan.capacity.ids; }
+  [[nodiscard]] bool doubts_complete() const { return doubt_count <= plan.capacity.doubts; }
+  [[nodiscard]] bool pairs_complete() const { return pair_count <= plan.capacity.pairs; }
+  /// Whether later stages have something sound to work on.
+  [[nodiscard]] bool may_test_pairs() const {
+    return !violation && ids_complete() && cell_count <= plan.capacity.cells &&
+           candidates <= plan.candidate_limit;
+  }
+
+  void allocate() {
+    const Capacities& room = plan.capacity;
+    const std::uint64_t most_entries = brute_force() ? sphere_count() : room.ids;
+    if (!brute_force()) phantoms_before.allocate(sphere_count() + 1);
+    if (plan.rule == Rule::chapter32) control_bits.allocate(sphere_count());
+    for (auto* of_ids : {&cell_ids, &cell_begins, &cell_end}) of_ids->allocate(room.ids);
+    objects.allocate(most_entries);
+    members.allocate(most_entries);
+    found.allocate(most_entries + 1);
+    cells.allocate(room.cells);
+    doubts.allocate(room.doubts);
+    pairs.allocate(room.pairs);
+  }
+};
+
+template <typename System>
+void bounds(Workspace<System>& w);
+template <typename System>
+void cell_ids(Workspace<System>& w);
+template <typename System>
+void sort(Workspace<System>& w);
+template <typename System>
+void cell_index(Workspace<System>& w);
+template <typename System>
+void pair_tests(Workspace<System>& w);
+template <typename System>
+void resolve(Workspace<System>& w);
+
+}  // namespace octocell::on_thrust

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// The two systems that the stages run on: this machine's threads, and a CUDA device. A stage is
+// written once, for a `System` that has an execution policy, arrays, and a way to read an element.
+#pragma once
+
+#include <vector>
+
+#ifdef OCTOCELL_THRUST_OPENMP
+#include <omp.h>
+#include <thrust/system/omp/execution_policy.h>
+#else
+#include <thrust/system/cpp/execution_policy.h>
+#endif
+#ifdef __CUDACC__
+#include <thrust/system/cuda/execution_policy.h>
+#endif
+
+#include "harness/interface/buffer.hpp"
+#include "harness/interface/sphere.hpp"
+#include "impl_thrust/scratch.cuh"
+
+namespace octocell::on_thrust {
+
+class HostSystem {
+ public:
+  template <typename T>
+  using Array = Buffer<T>;
+
+#ifdef OCTOCELL_THRUST_OPENMP
+  static void use_threads(int count) { omp_set_num_threads(count); }
+  auto policy() { return thrust::omp::par(scratch_); }
+#else
+  static void use_threads(int) {}
+  auto policy() { return thrust::cpp::par(scratch_); }
+#endif
+
+  /// The spheres as the stages see them: where they are.
+  const Sphere* take(SceneView scene) { return scene.spheres.data(); }
+  template <typename T>
+  T read(const T* element) {
+    return *element;
+  }
+  template <typename T>
+  std::vector<T> read(const T* first, std::uint64_t count) {
+    return {first, first + count};
+  }
+  Scratch<HostMemory>& scratch() { return scratch_; }
+
+ private:
+  Scratch<HostMemory> scratch_;
+};
+
+#ifdef __CUDACC__
+/// The first CUDA device, one stream. Every algorithm has ended when it returns, so that the host's
+/// clock may mark the stages.
+class CudaSystem {
+ public:
+  template <typename T>
+  using Array = DeviceArray<T>;
+
+  CudaSystem() { check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking)); }
+  CudaSystem(const CudaSystem&) = delete;
+  CudaSystem& operator=(const CudaSystem&) = delete;
+  ~CudaSystem() { cudaStreamDestroy(stream_); }
+
+  static void use_threads(int) {}
+  auto policy() { return thrust::cuda::par(scratch_).on(stream_); }
+
+  /// A copy on the device.
+  const Sphere* take(SceneView scene) {
+    spheres_.allocate(scene.spheres.size());
+    copy(spheres_.data(), scene.spheres.data(), scene.spheres.size_bytes());
+    return spheres_.data();
+  }
+  template <typename T>
+  T read(const T* element) {
+    T value;
+    copy(&value, element, sizeof(T));
+    return value;
+  }
+  template <typename T>
+  std::vector<T> read(const T* first, std::uint64_t count) {
+    std::vector<T> values(count);
+    copy(values.data(), first, count * sizeof(T));
+    return values;
+  }
+  Scratch<CudaMemory>& scratch() { return scratch_; }
+
+ private:
+  void copy(void* to, const void* from, std::size_t bytes) {
+    if (bytes == 0) return;
+    check(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDefault, stream_));
+    check(cudaStreamSynchronize(stream_));
+  }
+
+  cudaStream_t stream_ = nullptr;
+  Scratch<CudaMemory> scratch_;
+  DeviceArray<Sphere> spheres_;
+};
+
+#define OCTOCELL_FOR_BOTH_SYSTEMS(stage)         \
+  template void stage(Workspace<HostSystem>& w); \
+  template void stage(Workspace<CudaSystem>& w)
+#else
+#define OCTOCELL_FOR_BOTH_SYSTEMS(stage) template void stage(Workspace<HostSystem>& w)
+#endif
+
+}  // namespace octocell::on_thrust

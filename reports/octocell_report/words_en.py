@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: MIT
+"""Every text of the page in English. words_zh.py has the same keys."""
+
+# ruff: noqa: E501  (sentences, not code)
+
+from __future__ import annotations
+
+_PAGE = {
+    "language": "English",
+    "kicker": "Octocell {version} · all overlapping pairs of spheres",
+    "comma": ", ",
+    "semicolon": "; ",
+    "interrupted_title": "This run was interrupted.",
+    "interrupted": "What is shown was measured and checked in full; scenes and sizes that would have "
+    "come later are missing.",
+    "dirty_title": "Built from changed sources.",
+    "dirty": "The commit below does not hold all of them, so these numbers cannot be traced to it.",
+    "machine": "Machine",
+    "cores": "{cores} cores",
+    "compiler": "Compiler",
+    "instruction_set": "Instruction set",
+    "commit": "Commit",
+    "commit_clean": "clean",
+    "commit_dirty": "dirty",
+    "date": "Date",
+    "run": "Run",
+    "run_text": "preset {preset}, {rounds} interleaved rounds",
+    "libraries": "Libraries",
+    "plots_language": "",
+    "run_cold": "cold",
+    "run_warm": "warm",
+    "run_first_update": "first update",
+    "run_update": "update",
+    "run_dynamic": "dynamic",
+}
+
+_TABLES = {
+    "tables": "Tables",
+    "tables_how": "Median in milliseconds, below it the fastest to the slowest round. Nanoseconds "
+    "per sphere, candidates and doubts are of the warm run. The same numbers, unrounded, are in the "
+    "CSV files.",
+    "speedups": "Speed-ups as tables",
+    "speedups_how": "How many times as fast as the library's fastest exact row of that group: "
+    "baseline time / our time within each round; the median over the rounds, then the lowest and the "
+    "highest round.",
+    "speedups_update_how": "The baseline updates its standing structure; ours finds all pairs anew "
+    "(its warm row) in the same rounds. The spheres have not moved, which is the best case of a structure "
+    "that stands.",
+    "frames_table": "Moving scenes as a table",
+    "frames_how": "A frame is: every sphere moves, the structure follows or is built anew, all pairs "
+    "are found. Steady: median of the frames after the warm-up, per round; shown is the median of "
+    "the rounds and their range. First: the first frame, median of the rounds.",
+    "filter": "Filter rows, e.g. gas fcl",
+    "column_scene": "scene",
+    "column_spheres": "spheres",
+    "column_implementation": "implementation",
+    "column_run_ms": "{run} [ms]",
+    "column_ns": "ns/sphere",
+    "column_candidates": "candidates per true pair",
+    "column_doubts": "doubts",
+    "column_against": "against",
+    "column_median": "median",
+    "column_range": "lowest to highest round",
+    "column_rounds": "rounds",
+    "column_motion": "motion",
+    "column_steady": "steady frame [ms]",
+    "column_first": "first frame [ms]",
+    "column_frames": "frames",
+    "frames_count": "{frames}, of these {warmup} warm-up",
+    "column_where": "where",
+    "column_runs": "runs",
+    "column_why": "why",
+    "column_spec": "asked for as",
+    "skipped_title": "Skipped",
+    "unavailable_title": "Scenes that were not there",
+    "skipped": "skipped",
+    "cell_wrong": "wrong {losses}",
+    "cell_exhibit": "exhibit {losses}",
+    "cell_exhibit_exact": "exhibit, exact here",
+}
+
+_SECTIONS = {
+    "title_correctness": "Correctness",
+    "how_correctness": "Every row's pairs are held against the exact answer. − counts pairs "
+    "missed, + pairs that are none, × pairs given more than once.",
+    "title_time_warm": "Time against size, warm",
+    "how_time_warm": "Warm: the pairs are found from nothing, in memory already touched. A line is "
+    "the median of the rounds, its band the fastest to the slowest round. n^b is the slope fitted on "
+    "the logarithms: 1 is linear, 2 is quadratic. Hollow crossed marks are not exact and get no line; "
+    "what they miss and invent stands below them.",
+    "title_time_cold": "Time against size, cold",
+    "how_time_cold": "Cold: create, plan, allocate and find, all from nothing.",
+    "title_time_first_update": "Time against size, first update",
+    "how_time_first_update": "As update, but the first one after the structure was built: trees whose "
+    "boxes grow on first contact pay for it here.",
+    "title_time_update": "Time against size, update",
+    "how_time_update": "Update: the baseline's structure stands, every sphere is announced again, "
+    "then all pairs are asked for. What a simulation would pay each frame.",
+    "title_dynamic": "Moving scenes, frame by frame",
+    "how_dynamic": "Each frame all spheres move, then all pairs are found: ours builds anew, a "
+    "baseline follows in its own way. Lines are the median over the rounds, bands the fastest to the "
+    "slowest round; hollow marks on grey are warm-up frames, which count for nothing.",
+    "title_stages_backend": "Stages of ours",
+    "how_stages_backend": "Each bar is one implementation, warm, at the scene's largest size. A fused "
+    "stage has no bar of its own; the text says which stage holds its time. Scales differ from scene "
+    "to scene.",
+    "title_stages_baseline": "Stages of the baselines",
+    "how_stages_baseline": "Build makes the structure, query asks it for all pairs.",
+    "title_stages_per_sphere": "Stages per sphere",
+    "how_stages_per_sphere": "The same divided by the number of spheres, on one scale for each "
+    "backend.",
+    "title_speed_warm": "Speed against the baselines, warm",
+    "how_speed_warm": "Rounds were interleaved, so each ratio is taken within a round: drift of the "
+    "machine cancels. The reference is the library's fastest exact row of that group, named in grey.",
+    "title_speed_cold": "Speed against the baselines, cold",
+    "how_speed_cold": "The same, all from nothing.",
+    "title_speed_first_update": "Speed against the baselines, first update",
+    "how_speed_first_update": "The same for the first update after building. Ours finds all pairs "
+    "anew, its warm row.",
+    "title_speed_update": "Speed against the baselines, update",
+    "how_speed_update": "The same, the baselines' structures standing. Ours finds all pairs anew, its "
+    "warm row. The spheres have not moved, which is the best case of a structure that stands: one that "
+    "keeps its pairs has little to do. Moving scenes tell what it costs otherwise.",
+    "title_memory": "Memory",
+    "how_memory": "Growth of resident memory over the scene, less the pairs themselves, per sphere.",
+}
+
+_READING = {
+    "reading": "How to read this",
+    "read_exact_title": "Exact first.",
+    "read_exact": "A row is exact if it gives the very pairs that exact arithmetic gives on the same "
+    "float32 spheres: none missed, none invented, none twice. Only exact rows get a bare time.",
+    "read_exhibits_title": "Exhibits",
+    "read_exhibits": "are rules kept because they are wrong. Their losses are the lesson; they do not "
+    "count against the verdict, and no speed is claimed for them.",
+    "read_runs_title": "Cold, warm, update, dynamic.",
+    "read_runs": "Cold starts from nothing, with planning and allocation. Warm finds all pairs from "
+    "nothing in memory already touched. Update exists for the baselines alone: their structure "
+    "stands and every sphere is announced again; the first update after building is a run of its "
+    "own. In dynamic runs the spheres move, frame after frame.",
+    "read_ratios_title": "Ratios before times.",
+    "read_ratios": "Times belong to this machine on that day. Ratios within interleaved rounds carry "
+    "further, though not to every machine.",
+    "read_candidates_title": "Candidates per true pair",
+    "read_candidates": "says how many pairs were looked at for each one found: 1 would be perfect.",
+    "read_doubts_title": "Doubts",
+    "read_doubts": "are pairs that float32 could not decide and exact arithmetic had to.",
+    "read_colours_title": "Colours",
+    "read_colours": "stand for backends, the same in all plots; darker shades are variants of one "
+    "backend; each implementation has a marker of its own.",
+}
+
+# Sentences that are computed: the numbers go in.
+_FINDINGS = {
+    "headline_none": "No default row ran, so nothing was checked.",
+    "headline_wrong_one": "{wrong} of {checked} default rows is wrong.",
+    "headline_wrong": "{wrong} of {checked} default rows are wrong.",
+    "headline_only": "The only default row is exact.",
+    "headline_all": "All {checked} default rows are exact.",
+    "rows_skipped_one": "1 row was skipped, each with its reason below.",
+    "rows_skipped": "{rows} rows were skipped, each with its reason below.",
+    "excused": "{rows} rows of baselines miss pairs by known faults of their libraries ({names}).",
+    "not_there": "Not there: {scenes}.",
+    "exhibits": "{rows} more belong to exhibits ({rules}), kept because they are wrong",
+    "exhibits_missed": "{exhibits}: they miss {share} % of the pairs.",
+    "exhibits_missed_none": "{exhibits}; none of them missed a pair here.",
+    "range": "{low} to {high}",
+    "scenes_one": "1 scene",
+    "scenes": "{scenes} scenes",
+    "won": "{name} on {scenes}",
+    "fastest": "Fastest exact row at the largest size, of {scenes}: {winners}.",
+    "the_baselines": "the baselines",
+    "ours": "ours",
+    "grows": "Time grows: {slopes}.",
+    "one_size": "One size only, so no curve: {scenes}.",
+    "heaviest_one": "{stage} in {scenes} ({share} % of its time)",
+    "heaviest_backend": "Heaviest stage of our fastest exact row, of {scenes}: {stages}.",
+    "heaviest_baseline": "Heaviest stage of the fastest baseline, of {scenes}: {stages}.",
+    "per_sphere": "{name}: {low} ns/sphere on {cheap} to {high} on {dear}.",
+    "speed_cold": "Cold",
+    "speed_warm": "Warm",
+    "speed_first_update": "First update (ours: found anew)",
+    "speed_update": "Update (ours: found anew)",
+    "speed": "{run}, our fastest exact row is ahead of {family}'s fastest in {ahead} of {groups} "
+    "groups: {ratios} as fast, median {median}.",
+    "wrong_on": "{name} is wrong on {places}.",
+    "bytes": "Bytes per sphere, exact rows: {needs}.",
+    "steady": "{course}: the fastest steady frame is that of {name}, {time} ms.",
+    "steady_speed": "{course}: our fastest steady frame is {ratio} as fast as {family}'s fastest.",
+}
+
+TEXTS: dict[str, str] = _PAGE | _TABLES | _SECTIONS | _READING | _FINDINGS

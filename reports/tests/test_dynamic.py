@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: MIT
+"""Rows of moving scenes: frames, their steady state, and results that have none."""
+
+from __future__ import annotations
+
+import pytest
+
+from octocell_report import dynamic, findings, frames, page, page_tables, plots, tables
+from octocell_report.fields import ReportError
+from octocell_report.load import Place, parse
+
+import synthetic
+from synthetic import group, row, skipped
+
+WARMUP = 2
+
+
+def moving(*backend, factor, rounds=3, motion="gas_brownian", **changes):
+    """Two warm-up frames ten times as slow, then factor, 2 factor, 3 factor."""
+    times = [10 * factor, 10 * factor, factor, 2 * factor, 3 * factor]
+    frame_ms = [[t * (1 + 0.1 * k) for t in times] for k in range(rounds)]
+    known = row(*backend, scene="gas_brownian", run="dynamic", total_ms=[99.0] * rounds)
+    known["name"] += motion
+    known["frames"] = {"scene": motion, "frame_ms": frame_ms, "warmup_frames": WARMUP}
+    return known | changes
+
+
+def result_of(*rows):
+    return parse(synthetic.document([group("gas_brownian", 1000)], list(rows)))
+
+
+def three():
+    return [
+        moving(factor=1.0),
+        moving("fcl_a", None, None, factor=3.0),
+        moving("bullet_a", None, None, factor=0.5),
+    ]
+
+
+def test_the_steady_state_leaves_warm_up_frames_out():
+    known = result_of(moving(factor=1.0)).rows[0]
+    assert known.round_ms == pytest.approx((2.0, 2.2, 2.4))
+    assert known.median_ms == pytest.approx(2.2)
+    assert known.motion.by_frame == pytest.approx([11.0, 11.0, 1.1, 2.2, 3.3])
+
+
+def test_where_all_is_warm_up_all_frames_count():
+    known = moving(factor=1.0)
+    known["frames"]["warmup_frames"] = 5
+    assert result_of(known).rows[0].round_ms[0] == 3.0
+
+
+def test_ratios_are_of_steady_frames_round_by_round():
+    found = {ratio.family: ratio for ratio in tables.ratios(result_of(*three()), "dynamic")}
+    assert found["fcl"].rounds == pytest.approx((3.0, 3.0, 3.0))
+    assert found["bullet"].median == pytest.approx(0.5)
+    assert found["fcl"].motion == "gas_brownian" and found["fcl"].own_run == "dynamic"
+
+
+def test_two_motions_of_one_scene_are_two_courses():
+    rows = [*three(), *(moving(factor=7.0, motion="gravity") for _ in range(1))]
+    result = result_of(*rows)
+    place = Place("gas_brownian", 1000)
+    assert list(dynamic.courses(result)) == [(place, "gas_brownian"), (place, "gravity")]
+    assert [course.title for course in dynamic.courses(result)] == [
+        "gas_brownian 1k", "gas_brownian 1k, gravity"
+    ]  # fmt: skip
+    assert all(ratio.motion != "gravity" for ratio in tables.ratios(result, "dynamic"))
+
+
+def test_the_table_has_steady_and_first_frames():
+    table = page_tables.frames(result_of(*three()))
+    cells = [[str(cell.text) for cell in line.cells[:5]] for line in table.lines]
+    assert cells[0] == ["gas_brownian", "1k", "impl_cpu lowest_cell", "2.20", "11.0"]
+    assert table.lines[0].cells[3].small == "2.00–2.40"
+    assert table.lines[0].cells[5].text.en == "5, of these 2 warm-up"
+
+
+def test_frames_as_csv_mark_the_warm_up():
+    frame = frames.motion_frame(result_of(*three())).query("implementation == 'fcl_a'")
+    assert frame.warmup.tolist() == [True, True, False, False, False]
+    assert frame.median_ms.tolist() == pytest.approx([33, 33, 3.3, 6.6, 9.9])
+
+
+def test_the_plot_marks_warm_up_frames_apart():
+    drawn = dict.fromkeys(name for name, _ in plots.draw_all(result_of(*three())))
+    assert "dynamic" in drawn and not any(name.startswith("time_") for name in drawn)
+    for name, figure in plots.draw_all(result_of(*three())):
+        if name == "dynamic":
+            ours = figure.axes[0].get_lines()[-3:]  # the fastest of ours was drawn last but one
+            assert [len(line.get_xdata()) for line in ours] == [3, 3, 2]
+            assert ours[2].get_markerfacecolor() == "white"
+
+
+def test_sentences_name_the_fastest_and_the_ratios():
+    assert findings.moving(result_of(*three())) == [
+        "gas_brownian 1k: the fastest steady frame is that of bullet_a, 1.10 ms.",
+        "gas_brownian 1k: our fastest steady frame is 3.00× as fast as FCL's fastest.",
+        "gas_brownian 1k: our fastest steady frame is 0.50× as fast as Bullet's fastest.",
+    ]
+    assert "one size" not in " ".join(findings.time(result_of(*three()), "warm")).lower()
+
+
+def test_a_moving_scene_has_no_table_of_runs_at_rest():
+    result = result_of(*three())
+    assert page_tables.times(result) == [] and tables.runs(result) == []
+    html = page.render(result, page.Path("nowhere"))
+    assert "steady frame [ms]" in html and "稳态帧 [ms]" in html
+
+
+def test_dynamic_rows_without_frames_are_tolerated():
+    plain = row(run="dynamic", frames=None)
+    less = skipped(row("fcl_a", None, None, run="dynamic"), "crashed: signal 11")
+    result = parse(synthetic.document([group("gas", 1000)], [plain, less]))
+    assert result.rows[0].round_ms == (1.0, 1.02, 1.04)
+    assert page_tables.frames(result) is None and dynamic.courses(result) == {}
+    assert "crashed: signal 11" in page.render(result, page.Path("nowhere"))
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"frame_ms": [[1.0], [1.0, 2.0]]}, "rounds of unlike length"),
+        ({"frame_ms": [[]]}, "has no frame"),
+        ({"frame_ms": []}, "not a list of rounds"),
+        ({"frame_ms": [[-1.0]]}, "not a list of rounds"),
+        ({"frame_ms": [1.0]}, "not a list of rounds"),
+        ({"warmup_frames": None}, "'warmup_frames' is null"),
+        ({"scene": 3}, "'scene' is 3, not text"),
+    ],
+)
+def test_bad_frames_are_named(changes, message):
+    known = moving(factor=1.0)
+    known["frames"] |= changes
+    with pytest.raises(ReportError, match=message) as error:
+        result_of(known)
+    assert str(error.value).startswith("row 0 (find_pairs/") and "frames" in str(error.value)

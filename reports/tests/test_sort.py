@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: MIT
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+from octocell_report import sort, sort_figures
+from octocell_report.cli import main
+from octocell_report.fields import ReportError
+
+import synthetic
+from synthetic import Json
+
+
+def row(algorithm: str = "impl_cpu", **changes: object) -> Json:
+    known: Json = {
+        "algorithm": algorithm, "n": 4096, "bits": 8, "order": "random", "threads": 1,
+        "stable": True, "packed": algorithm != "impl_cpu", "status": "ok", "reason": None,
+        "iterations": 9, "total_ms": [1.0, 4.0, 2.0], "items_per_second_median": 2048e3,
+    }  # fmt: skip
+    known |= changes
+    if known["status"] != "ok":
+        known |= {"total_ms": [], "items_per_second_median": None}
+    keys = ("algorithm", "n", "bits", "order", "threads")
+    return {"name": "sort/" + "/".join(f"{key}:{known[key]}" for key in keys), **known}
+
+
+def document(*rows: Json) -> Json:
+    return {"schema": 1, "kind": "sort", "context": synthetic.context(), "rows": list(rows)}
+
+
+def every_case() -> Json:
+    rows = [
+        row(name, n=n, bits=bits, total_ms=[n * cost, n * cost * 1.1])
+        for name, cost in (("impl_cpu", 4e-6), ("std_sort", 6e-5), ("newcomer", 1e-5))
+        for n in (4096, 16384)
+        for bits in (8, 32)
+    ]
+    rows += [row(n=n, threads=2, bits=8) for n in (4096, 16384)]
+    rows += [row(n=16384, bits=8, order=order) for order in ("sorted", "few_distinct")]
+    rows += [row("std_sort", n=16384, order="sorted", status="wrong", reason="not sorted: key 1")]
+    rows += [row("highway_vqsort", status="skipped", reason="built without a Highway")]
+    return document(*rows)
+
+
+def test_figures_and_a_table_of_every_row(save, tmp_path: Path, capsys):
+    out = tmp_path / "out"
+    assert main(["sort", str(save(every_case())), "-o", str(out)]) == 0
+    assert {path.name for path in out.iterdir()} == set(sort_figures.NAMES)
+    assert all(name in capsys.readouterr().out for name in ("sort.csv",))
+    table = pd.read_csv(out / "sort.csv")
+    assert len(table) == len(every_case()["rows"])
+    bare = table[table.status != "ok"]
+    assert len(bare) == 2 and bare.median_ms.isna().all() and bare.reason.notna().all()
+
+
+def test_numbers_of_the_table():
+    frame = sort.frame(sort.parse(document(row())))
+    assert frame.loc[0, ["median_ms", "min_ms", "max_ms", "rounds"]].tolist() == [2.0, 1.0, 4.0, 3]
+    assert frame.gitems_per_second_median[0] == pytest.approx(4096 / 2e6)
+
+
+def facets(figure):
+    return {ax.get_title(): ax for ax in figure.axes if ax.get_visible()}
+
+
+def test_a_facet_for_each_width_and_a_line_for_each_sort():
+    figure = sort_figures.draw_by_size(sort.parse(every_case()))
+    assert list(facets(figure)) == ["8-bit keys", "32-bit keys"]
+    labels = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert labels == ["Octocell radix sort", "std::sort", "newcomer",
+                      "Octocell radix sort, 2 threads"]  # fmt: skip
+    lines = [line for line in facets(figure)["32-bit keys"].lines if len(line.get_xdata()) == 2]
+    assert len(lines) == 3
+    note = figure.legends[0].get_title().get_text()
+    assert "left out: Highway vqsort: built without a Highway" in note
+
+
+def test_a_wrong_sort_is_named_and_has_no_mark():
+    figure = sort_figures.draw_by_order(sort.parse(every_case()))
+    (ax,) = facets(figure).values()
+    assert any(text.get_text() == "WRONG: std::sort" for text in ax.texts)
+    assert "2¹⁴" in figure.get_suptitle()
+
+
+def test_nothing_timed_is_a_table_alone(tmp_path: Path):
+    result = sort.parse(document(row(status="skipped", reason="no time")))
+    assert sort_figures.build(result, tmp_path / "out") == ["sort.csv"]
+
+
+BROKEN = {
+    "a bench result": ({"kind": "bench"}, "not a result of bench-sort"),
+    "another schema": ({"schema": 2}, "schema 1 is read here"),
+    "no rows": ({"rows": None}, "'rows'"),
+    "a row twice": ({"rows": [row(), row()]}, "2 rows are called sort/"),
+    "ok without a time": ({"rows": [row(total_ms=[])]}, "says ok"),
+    "wrong with a time": ({"rows": [row() | {"status": "wrong"}]}, "says wrong, but has a time"),
+    "skipped without a reason": ({"rows": [row(status="skipped")]}, "'reason'"),
+    "no bits": ({"rows": [{k: v for k, v in row().items() if k != "bits"}]}, "'bits'"),
+}
+
+
+@pytest.mark.parametrize("name", BROKEN)
+def test_what_is_broken_is_refused_in_one_line(save, tmp_path: Path, capsys, name: str):
+    changes, words = BROKEN[name]
+    path = save(document(row()) | changes)
+    assert main(["sort", str(path), "-o", str(tmp_path / "out")]) == 2
+    error = capsys.readouterr().err
+    assert words in error and str(path) in error and error.count("\n") == 1
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("text", ["", "[1", "[]", "3"])
+def test_what_is_no_json_object_is_refused(tmp_path: Path, text: str):
+    path = tmp_path / "x.json"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(ReportError):
+        sort.load(path)

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: MIT
+"""`octocell bench-sort`: its JSON, its flags, Ctrl-C, and what it refuses."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import time
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+import pytest
+
+from program import Octocell, Refused
+
+ROUNDS = 2
+TINY = ("--rounds", ROUNDS, "--threads", 2, "--filter", "n:4096/bits:(8|32)/")
+ROW = """name algorithm n bits order threads stable packed status reason iterations total_ms
+items_per_second_median""".split()
+SORTS = {  # name: stable, packed, thread counts; the last two may be missing from a build
+    "impl_cpu": (True, False, [1, 2]),
+    "std_sort": (False, True, [1]),
+    "std_stable_sort": (True, True, [1]),
+    "boost_spreadsort": (False, True, [1]),
+    "tbb_parallel_sort": (False, True, [1, 2]),
+    "highway_vqsort": (False, True, [1]),
+}
+OPTIONAL = {"tbb_parallel_sort": "tbb", "highway_vqsort": "highway"}
+
+Json = dict[str, Any]
+
+
+def load(path: Path) -> Json:
+    document: Json = json.loads(path.read_text(encoding="utf-8"))
+    return document
+
+
+@pytest.fixture(scope="module")
+def tiny(octocell: Octocell, tmp_path_factory: pytest.TempPathFactory) -> Json:
+    path = tmp_path_factory.mktemp("sort") / "new_folder" / "x.json"
+    result = octocell.ok("bench-sort", "-o", path, *TINY)
+    assert result.stdout == ""
+    assert result.stderr.startswith("[1/") and str(path) in result.stderr
+    assert [other.name for other in path.parent.iterdir()] == ["x.json"]
+    return load(path)
+
+
+def test_document(tiny: Json) -> None:
+    assert list(tiny) == ["schema", "kind", "context", "rows"]
+    assert (tiny["schema"], tiny["kind"]) == (1, "sort")
+    context = tiny["context"]
+    assert set(context["libraries"]) == {"boost", "tbb", "highway"}
+    assert (context["preset"], context["rounds"], context["finished"]) == ("quick", ROUNDS, True)
+    assert {"date", "commit", "dirty", "machine", "compiler", "flags"} <= set(context)
+
+
+def test_every_sort_has_its_rows(tiny: Json) -> None:
+    assert len({row["name"] for row in tiny["rows"]}) == len(tiny["rows"])
+    for name, (stable, packed, threads) in SORTS.items():
+        rows = [row for row in tiny["rows"] if row["algorithm"] == name]
+        assert {row["bits"] for row in rows} == {8, 32}
+        for bits in (8, 32):
+            assert [row["threads"] for row in rows if row["bits"] == bits] == threads
+        assert {(row["stable"], row["packed"]) for row in rows} == {(stable, packed)}
+    assert {row["algorithm"] for row in tiny["rows"]} == set(SORTS)
+
+
+def test_every_row_is_right_or_its_library_is_missing(tiny: Json) -> None:
+    for row in tiny["rows"]:
+        assert list(row) == ROW
+        library = OPTIONAL.get(row["algorithm"])
+        if library and tiny["context"]["libraries"][library] is None:
+            assert row["status"] == "skipped" and "built without" in row["reason"]
+            assert (row["total_ms"], row["items_per_second_median"]) == ([], None)
+            continue
+        assert (row["status"], row["reason"]) == ("ok", None)
+        assert len(row["total_ms"]) == ROUNDS and min(row["total_ms"]) > 0
+        assert row["iterations"] >= 1
+        rate = row["n"] / (median(row["total_ms"]) / 1e3)
+        assert row["items_per_second_median"] == pytest.approx(rate)
+
+
+def test_names_are_keys_with_values(tiny: Json) -> None:
+    for row in tiny["rows"]:
+        head, *parts = row["name"].split("/")
+        keys = "algorithm n bits order threads".split()
+        assert head == "sort"
+        assert dict(part.split(":") for part in parts) == {key: str(row[key]) for key in keys}
+
+
+def test_every_input_order_is_sorted_rightly(octocell: Octocell, tmp_path: Path) -> None:
+    path = tmp_path / "x.json"
+    rows = "n:4096/bits:(12|17|24)/"
+    octocell.ok("bench-sort", "--preset", "full", "--rounds", 1, "--filter", rows, "-o", path)
+    document = load(path)
+    orders = {row["order"] for row in document["rows"]}
+    assert orders == {"random", "sorted", "reversed", "constant", "few_distinct"}
+    assert {row["status"] for row in document["rows"]} <= {"ok", "skipped"}
+
+
+def test_a_comparison_sort_of_a_large_size_says_why_it_was_left_out(
+    octocell: Octocell, tmp_path: Path
+) -> None:
+    path = tmp_path / "x.json"
+    octocell.ok("bench-sort", "--filter", "std_sort/n:4194304/bits:16", "-o", path)
+    (row,) = load(path)["rows"]
+    assert (row["status"], row["total_ms"]) == ("skipped", [])
+    assert "--preset full" in row["reason"]
+
+
+def test_ctrl_c_keeps_the_whole_cases(octocell: Octocell, tmp_path: Path) -> None:
+    path = tmp_path / "x.json"
+    command = [str(octocell.path), "bench-sort", "--rounds", "2", "--threads", "2", "-o", str(path)]
+    bench = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
+    until = time.monotonic() + 30
+    while time.monotonic() < until and not (path.exists() and load(path)["rows"]):
+        time.sleep(0.01)
+    bench.send_signal(signal.SIGINT)
+    _, err = bench.communicate(timeout=30)
+    assert bench.returncode == 130
+    assert "interrupted" in err and str(path) in err
+    assert [other.name for other in tmp_path.iterdir()] == ["x.json"]
+    document = load(path)
+    assert document["context"]["finished"] is False
+    rows = sum(len(threads) for _, _, threads in SORTS.values())
+    assert document["rows"] and len(document["rows"]) % rows == 0
+    assert all(len(row["total_ms"]) == 2 for row in document["rows"] if row["status"] == "ok")
+
+
+REFUSALS = {
+    "unknown_preset": (["--preset", "slow"], ["'slow'", "quick, full"]),
+    "rounds_zero": (["--rounds", "0"], ["--rounds"]),
+    "rounds_word": (["--rounds", "two"], ["--rounds", "two"]),
+    "threads_negative": (["--threads", "-1"], ["--threads -1"]),
+    "threads_many": (["--threads", "100000"], ["--threads 100000"]),
+    "bad_filter": (["--filter", "("], ["'('"]),
+    "filter_without_rows": (["--filter", "nothing"], ["'nothing'"]),
+    "unknown_flag": (["--nothing"], ["--nothing"]),
+    "stray_word": (["gas:n=9"], ["gas:n=9"]),
+}
+
+
+@pytest.mark.parametrize("name", REFUSALS)
+def test_refusals_leave_the_old_output(refused: Refused, tmp_path: Path, name: str) -> None:
+    (tmp_path / "old.json").write_text("what was there", encoding="utf-8")
+    arguments, words = REFUSALS[name]
+    line = refused("bench-sort", *arguments, "-o", "old.json")
+    assert all(word in line for word in words), line
+
+
+@pytest.mark.parametrize("target", ["plain/x.json", "folder", "/dev/full"])
+def test_outputs_that_cannot_be_written(refused: Refused, tmp_path: Path, target: str) -> None:
+    (tmp_path / "plain").write_text("a file", encoding="utf-8")
+    (tmp_path / "folder").mkdir()
+    line = refused("bench-sort", "-o", target)
+    assert "cannot write" in line and target in line

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// impl_thrust against impl_cpu: the same counts of everything, in any number of threads.
+// (That its pairs are exact, its buffers honest and its checksums golden is tested for all
+// backends.)
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "harness/interface/error.hpp"
+#include "harness/planner/planner.hpp"
+#include "harness/reference/reference.hpp"
+#include "harness/scenes/scenes.hpp"
+#include "impl_cpu/backend.hpp"
+#include "impl_thrust/backend.hpp"
+#include "impl_thrust/scratch.cuh"
+
+namespace octocell {
+namespace {
+
+struct Answer {
+  Counts counts;
+  PairDigest digest;
+  std::vector<Pair> pairs;
+};
+
+Answer ask(PairFinder& finder, const Plan& plan, SceneView scene) {
+  HostClock clock;
+  finder.upload(plan, scene);
+  finder.find_pairs(clock);
+  return {finder.counts(), finder.digest(), finder.download()};
+}
+
+Plan roomy_plan(const Scene& scene, const PlanOptions& options) {
+  Plan plan = make_plan(measure(scene.view()), options);
+  plan.capacity.ids = plan.capacity.ids * 2 + 4096;
+  plan.capacity.cells = plan.capacity.ids;
+  plan.capacity.pairs = plan.capacity.doubts = 40 * scene.spheres.size() + 64;
+  return plan;
+}
+
+void expect_same_counts(const Counts& a, const Counts& b, const std::string& what) {
+  EXPECT_EQ(a.ids, b.ids) << what;
+  EXPECT_EQ(a.cells, b.cells) << what;
+  EXPECT_EQ(a.candidates, b.candidates) << what;
+  EXPECT_EQ(a.doubts, b.doubts) << what;
+  EXPECT_EQ(a.pairs, b.pairs) << what;
+  EXPECT_EQ(a.over_candidate_limit, b.over_candidate_limit) << what;
+  EXPECT_EQ(a.plan_violation, b.plan_violation) << what;
+}
+
+struct Way {
+  Method method;
+  Rule rule;
+};
+
+class Thrust : public testing::TestWithParam<Way> {
+ protected:
+  static PlanOptions options(int threads = 1) {
+    return {.method = GetParam().method, .rule = GetParam().rule, .threads = threads};
+  }
+  std::unique_ptr<PairFinder> ours_ = on_thrust::make_host_backend();
+  std::unique_ptr<PairFinder> cpu_ = cpu::make_backend();
+};
+
+TEST_P(Thrust, CountsWhatImplCpuCounts) {
+  for (const char* spec : {"gas:n=0", "gas:n=1", "gas:n=2", "gas:n=5001", "dense:n=3000",
+                           "poly:n=5000", "giant:n=3000", "lattice:n=2744"}) {
+    const Scene scene = generate(spec);
+    const Answer truth = ask(*cpu_, roomy_plan(scene, options()), scene.view());
+    for (const int threads : {1, 2, 3, 7}) {
+      const Answer answer = ask(*ours_, roomy_plan(scene, options(threads)), scene.view());
+      expect_same_counts(answer.counts, truth.counts, spec);
+      EXPECT_EQ(answer.digest, truth.digest) << spec << ", " << threads << " threads";
+      EXPECT_EQ(answer.pairs, truth.pairs) << spec << ", " << threads << " threads";
+    }
+  }
+}
+
+/// The capacity of each buffer, and the count that says what it should have been.
+constexpr std::pair<std::uint64_t Capacities::*, std::uint64_t Counts::*> kBuffers[] = {
+    {&Capacities::ids, &Counts::ids},
+    {&Capacities::cells, &Counts::cells},
+    {&Capacities::doubts, &Counts::doubts},
+    {&Capacities::pairs, &Counts::pairs}};
+
+TEST_P(Thrust, SaysWhatAFullBufferNeedsTheFirstTime) {
+  for (const char* spec : {"dense:n=2000", "lattice:n=1000"}) {
+    const Scene scene = generate(spec);
+    const Plan roomy = roomy_plan(scene, options());
+    const Counts needed = ask(*ours_, roomy, scene.view()).counts;
+    for (const auto& [capacity, count] : kBuffers) {
+      Plan small = roomy;
+      small.capacity.*capacity = 1;
+      const Answer answer = ask(*ours_, small, scene.view());
+      EXPECT_EQ(answer.counts.*count, needed.*count) << spec;
+      EXPECT_EQ(fits(answer.counts, small.capacity, false), needed.*count <= 1) << spec;
+    }
+  }
+}
+
+TEST_P(Thrust, ATangentLatticeIsCountedWhereItsDoubtsDoNotAllFit) {
+  const Scene scene = generate("lattice:n=1000");
+  Plan plan = roomy_plan(scene, options());
+  const Answer all = ask(*ours_, plan, scene.view());
+  for (const std::uint64_t room : {all.counts.pairs, all.counts.pairs - 1}) {
+    plan.capacity.pairs = room;
+    const Answer answer = ask(*ours_, plan, scene.view());
+    EXPECT_EQ(answer.counts.pairs, all.counts.pairs);
+    EXPECT_EQ(answer.pairs.size(), room == all.counts.pairs ? room : 0U);
+  }
+  plan.count_only = true;
+  plan.capacity.pairs = 0;
+  EXPECT_EQ(ask(*ours_, plan, scene.view()).digest, all.digest);
+}
+
+TEST_P(Thrust, SpeaksOfAViolationAsImplCpuDoes) {
+  const Scene scene = generate("poly:n=1000");
+  const Plan plan = roomy_plan(scene, options());
+  for (const float x :
+       {1e6F, std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::infinity()}) {
+    Scene moved = scene;
+    moved.spheres[700].x = x;
+    const Counts found = ask(*ours_, plan, moved.view()).counts;
+    EXPECT_TRUE(found.plan_violation);
+    expect_same_counts(found, ask(*cpu_, plan, moved.view()).counts, "moved");
+  }
+}
+
+TEST_P(Thrust, FollowsAnUpdate) {
+  const Scene before = generate("dense:n=2000,seed=1");
+  Scene after = before;
+  std::reverse(after.spheres.begin(), after.spheres.end());
+  const Plan plan = roomy_plan(before, options());
+  ask(*ours_, plan, before.view());
+  ours_->update(after.view());
+  HostClock clock;
+  ours_->find_pairs(clock);
+  EXPECT_EQ(ours_->digest(), ask(*cpu_, plan, after.view()).digest);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ways, Thrust,
+                         testing::Values(Way{Method::home_phantom, Rule::lowest_cell},
+                                         Way{Method::home_phantom, Rule::chapter32},
+                                         Way{Method::home_phantom, Rule::as_written},
+                                         Way{Method::brute_force, Rule::lowest_cell}),
+                         [](const auto& way) {
+                           return std::string(name_of(way.param.method)) + "_" +
+                                  std::string(name_of(way.param.rule));
+                         });
+
+TEST(ThrustLowestCell, IsExactForAnyCellSideAndWhereIdsWrap) {
+  for (const char* spec : {"poly:n=2000", "giant:n=1000", "shifted:n=1000,offset=1e7"}) {
+    const Scene scene = generate(spec);
+    const PairDigest truth = digest_of(reference::exact_pairs(scene.spheres));
+    for (const double side : {0.15, 0.5, 3.0, 1e3, 1e30}) {
+      Plan plan = make_plan(measure(scene.view()), {.cell_side = side});
+      const auto finder = on_thrust::make_host_backend();
+      Answer answer = ask(*finder, plan, scene.view());
+      while (!fits(answer.counts, plan.capacity, false)) {
+        plan = grow(plan, answer.counts);
+        answer = ask(*finder, plan, scene.view());
+      }
+      EXPECT_EQ(answer.digest, truth) << spec << ", side " << side;
+    }
+  }
+}
+
+TEST(Scratch, PassesOnlyNewRequestsOn) {
+  on_thrust::Scratch<on_thrust::HostMemory> scratch;
+  for (int round = 0; round < 3; ++round) {
+    char* a = scratch.allocate(1000);
+    char* b = scratch.allocate(1000000);
+    char* none = scratch.allocate(0);
+    EXPECT_NE(a, b);
+    a[999] = b[999999] = 1;
+    scratch.deallocate(b, 1000000);
+    EXPECT_EQ(scratch.allocate(900000), b);
+    for (char* memory : {a, b, none}) scratch.deallocate(memory, 0);
+  }
+  EXPECT_EQ(scratch.allocations(), 3U);
+  scratch.release();
+  scratch.deallocate(scratch.allocate(1000), 1000);
+  EXPECT_EQ(scratch.allocations(), 4U);
+}
+
+TEST(ThrustOnCuda, SaysWhyItIsNotHereOrAnswersAsTheHostDoes) {
+  if (const auto reason = on_thrust::why_no_cuda()) {
+    EXPECT_TRUE(*reason == "built without nvcc" || reason->starts_with("no CUDA device: "))
+        << *reason;
+    EXPECT_THROW(on_thrust::make_cuda_backend(), Error);
+    return;
+  }
+  const auto device = on_thrust::make_cuda_backend();
+  const auto host = on_thrust::make_host_backend();
+  for (const Rule rule : {Rule::lowest_cell, Rule::chapter32, Rule::as_written}) {
+    for (const char* spec : {"gas:n=0", "gas:n=20000", "lattice:n=2744", "poly:n=20000"}) {
+      const Scene scene = generate(spec);
+      const Plan plan = roomy_plan(scene, {.rule = rule});
+      const Answer there = ask(*device, plan, scene.view());
+      const Answer here = ask(*host, plan, scene.view());
+      expect_same_counts(there.counts, here.counts, spec);
+      EXPECT_EQ(there.digest, here.digest) << spec;
+      EXPECT_EQ(there.pairs, here.pairs) << spec;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace octocell
