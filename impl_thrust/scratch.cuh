@@ -8,7 +8,7 @@
 #include <mutex>
 #include <new>
 
-#include "impl_thrust/cuda_check.cuh"
+#include "harness/interface/cuda.cuh"
 
 namespace octocell::on_thrust {
 

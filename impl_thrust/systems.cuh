@@ -56,9 +56,9 @@ class HostSystem {
 class CudaSystem {
  public:
   template <typename T>
-  using Array = DeviceArray<T>;
+  using Array = cuda::DeviceArray<T>;
 
-  CudaSystem() { check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking)); }
+  CudaSystem() { cuda::check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking)); }
   CudaSystem(const CudaSystem&) = delete;
   CudaSystem& operator=(const CudaSystem&) = delete;
   ~CudaSystem() { cudaStreamDestroy(stream_); }
@@ -84,18 +84,18 @@ class CudaSystem {
     copy(values.data(), first, count * sizeof(T));
     return values;
   }
-  Scratch<CudaMemory>& scratch() { return scratch_; }
+  Scratch<cuda::Memory>& scratch() { return scratch_; }
 
  private:
   void copy(void* to, const void* from, std::size_t bytes) {
     if (bytes == 0) return;
-    check(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDefault, stream_));
-    check(cudaStreamSynchronize(stream_));
+    cuda::check(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDefault, stream_));
+    cuda::check(cudaStreamSynchronize(stream_));
   }
 
   cudaStream_t stream_ = nullptr;
-  Scratch<CudaMemory> scratch_;
-  DeviceArray<Sphere> spheres_;
+  Scratch<cuda::Memory> scratch_;
+  cuda::DeviceArray<Sphere> spheres_;
 };
 
 #define OCTOCELL_FOR_BOTH_SYSTEMS(stage)         \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Calls of the CUDA runtime, and what happens when one fails. Empty without nvcc.
+// Calls of the CUDA runtime, and what happens when one fails; device memory. Empty without nvcc.
 #pragma once
 
 #ifdef __CUDACC__
@@ -12,7 +12,7 @@
 
 #include "harness/interface/error.hpp"
 
-namespace octocell::on_thrust {
+namespace octocell::cuda {
 
 /// Throws Error with CUDA's words and the place of the call.
 inline void check(cudaError_t result,
@@ -23,7 +23,7 @@ inline void check(cudaError_t result,
               std::to_string(place.line()) + ")");
 }
 
-struct CudaMemory {
+struct Memory {
   /// Throws LimitError that says how much was asked for.
   static char* allocate(std::size_t bytes) {
     void* memory = nullptr;
@@ -50,7 +50,7 @@ class DeviceArray {
   void allocate(std::uint64_t capacity) {
     if (capacity <= capacity_) return;
     release();
-    data_ = reinterpret_cast<T*>(CudaMemory::allocate(capacity * sizeof(T)));
+    data_ = reinterpret_cast<T*>(Memory::allocate(capacity * sizeof(T)));
     capacity_ = capacity;
   }
   [[nodiscard]] T* data() const { return data_; }
@@ -58,7 +58,7 @@ class DeviceArray {
 
  private:
   void release() {
-    if (data_ != nullptr) CudaMemory::release(reinterpret_cast<char*>(data_));
+    if (data_ != nullptr) Memory::release(reinterpret_cast<char*>(data_));
     data_ = nullptr;
     capacity_ = 0;
   }
@@ -67,6 +67,6 @@ class DeviceArray {
   std::uint64_t capacity_ = 0;
 };
 
-}  // namespace octocell::on_thrust
+}  // namespace octocell::cuda
 
 #endif
