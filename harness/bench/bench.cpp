@@ -195,7 +195,8 @@ class Bench {
       const bool skipped = runner.result().skipped.has_value();
       const RowSpec& row = runner.row();
       const std::string key = fmt::format("{} {}", row.how.label(), row.threads);
-      if (options_.memory && !skipped && !group.moves()) {
+      // The host's memory says little of a row on a device: most of it is the driver's.
+      if (options_.memory && !skipped && !group.moves() && !row.how.backend->device) {
         if (!memory.contains(key)) memory[key] = peak_bytes(row, group.argument);
         runner.result().peak_bytes = memory[key];
       }

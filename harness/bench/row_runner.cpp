@@ -5,6 +5,7 @@
 
 #include "harness/bench/dynamic_row.hpp"
 #include "harness/bench/static_row.hpp"
+#include "harness/interface/device_memory.hpp"
 #include "harness/interface/error.hpp"
 
 namespace octocell::bench {
@@ -18,7 +19,10 @@ RowRunner::RowRunner(const RowSpec& row, const Subject& subject, std::uint64_t c
 void RowRunner::verify(double min_time_ms) {
   try {
     if (const auto reason = row_.how.backend->why_unavailable()) throw LimitError(*reason);
+    const std::uint64_t held_before = DeviceMemory::in_use();
+    DeviceMemory::forget_peak();
     verify_or_throw(min_time_ms);
+    if (row_.how.backend->device) result_.device_bytes = DeviceMemory::peak() - held_before;
   } catch (const LimitError& reason) {
     result_.skipped = reason.what();
     finder_.reset();

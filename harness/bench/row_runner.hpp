@@ -36,7 +36,8 @@ struct RowResult {
   std::map<Stage, std::vector<double>> stage_ms;
   std::map<Stage, Stage> fused;
   std::vector<std::vector<double>> frame_ms;  // of a dynamic row: round by round, frame by frame
-  std::optional<std::uint64_t> peak_bytes;
+  std::optional<std::uint64_t> peak_bytes;    // of the host's memory
+  std::optional<std::uint64_t> device_bytes;  // of the device's, at its peak
 
   [[nodiscard]] bool wrong() const { return !skipped && !difference.exact(); }
 };
