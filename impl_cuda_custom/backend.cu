@@ -37,8 +37,7 @@ class CudaBackend final : public GridPairFinder {
     w_.plan = plan;
     w_.scene = scene;
     w_.sorter.reset();
-    const bool sorts = plan.method == Method::home_phantom && plan.capacity.ids > 0;
-    if (sorts && plan.grid.key_bits > 0) {
+    if (plan.method == Method::home_phantom) {
       w_.sorter.emplace(Rung::onesweep, plan.capacity.ids, plan.grid.key_bits);
     }
     allocate();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Stage 3, sort: bring equal cell ids together.
 // Reads and writes cell ids with their objects, grouped by cell, homes before phantoms.
-// Cost: 16 bytes an id and pass, and one more reading of the ids; ceil(key_bits / 8) passes.
+// Cost: 16 bytes an id and pass, and one more reading of the ids; two to four passes.
 // Idea: only the bits that ids of this grid can have are sorted, and only as many ids as there are;
 //       their number never leaves the device.
 #include "impl_cuda_custom/stages.cuh"

@@ -3,10 +3,9 @@
 // Reads sorted cell ids and objects. Writes the numbers of cells and candidates, and the crowded
 //       tiles.
 // Cost: 4 bytes an id, read once, and a few more loads of the same lines for each cell.
-// Idea: the sorted ids are the index. Stage 5 streams them anyway and sees where a cell ends,
-// unless
-//       that lies beyond the next tile; only for such cells is something written down. A cell's end
-//       and its first phantom are found by doubling and halving steps, so no thread walks a cell.
+// Idea: the sorted ids are the index. Stage 5 streams them anyway and sees where a cell ends; what
+//       it cannot see, that a cell goes on behind the next tile, is written down. A cell's end and
+//       its first phantom are found by doubling and halving steps: no thread walks a cell.
 #include "impl_cuda_custom/device.cuh"
 
 namespace octocell::cuda_custom {

@@ -65,7 +65,7 @@ struct Workspace {
   Plan plan;
   SceneView scene;  // on the host: words about a sphere are made of it
   cudaStream_t stream = nullptr;
-  std::optional<RadixSort> sorter;  // none where there is nothing to sort by
+  std::optional<RadixSort> sorter;  // of method home_phantom
 
   cuda::DeviceArray<State> state;                          // [1]
   cuda::DeviceArray<Sphere> spheres;                       // [spheres]
