@@ -17,6 +17,8 @@ struct SinkArguments {
 /// Pairs are kept; doubts, too, for stage 6.
 class Keep {
  public:
+  /// Blocks that a multiprocessor should have room for: bounds the registers of a thread.
+  static constexpr int kBlocksAtOnce = 6;
   struct Shared {
     PairWriter::Shared pairs;
     PairWriter::Shared doubts;
@@ -43,6 +45,7 @@ class Keep {
 /// A count_only plan has no room for doubts: they are decided where they are found.
 class Count {
  public:
+  static constexpr int kBlocksAtOnce = 3;  // the exact test needs many registers
   struct Shared {};
   __device__ Count(const SinkArguments& to, Shared&) : to_(to) {}
 

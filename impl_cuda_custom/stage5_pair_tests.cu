@@ -111,7 +111,7 @@ struct NearTile {
 };
 
 template <typename Sink>
-__global__ void __launch_bounds__(kBlockThreads) near_columns_kernel(Job job) {
+__global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce) near_columns_kernel(Job job) {
   __shared__ NearTile tile;
   __shared__ typename Sink::Shared shared;
   const std::uint64_t begin = std::uint64_t{blockIdx.x} * kTile;
@@ -135,7 +135,7 @@ __global__ void __launch_bounds__(kBlockThreads) near_columns_kernel(Job job) {
 
 /// Blocks (x, y): crowded tile x as rows, and every gridDim.y-th tile of columns behind the next.
 template <typename Sink>
-__global__ void __launch_bounds__(kBlockThreads) far_columns_kernel(Job job) {
+__global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce) far_columns_kernel(Job job) {
   __shared__ Members<kTile> columns;
   __shared__ typename Sink::Shared shared;
   if (!job.may_test()) return;

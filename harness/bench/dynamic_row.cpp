@@ -62,6 +62,7 @@ std::vector<StageTimes> DynamicRow::play(Marks marks) {
 void DynamicRow::verify_or_throw(double) {
   finder_ = row_.how.backend->create();
   const std::vector<StageTimes> times = play(Marks::on);
+  record_device_memory();
   result_.counts = finder_->counts();
   for (std::size_t frame = std::min(kWarmupFrames, times.size() - 1); frame < times.size();
        ++frame) {

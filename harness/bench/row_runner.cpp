@@ -19,14 +19,18 @@ RowRunner::RowRunner(const RowSpec& row, const Subject& subject, std::uint64_t c
 void RowRunner::verify(double min_time_ms) {
   try {
     if (const auto reason = row_.how.backend->why_unavailable()) throw LimitError(*reason);
-    const std::uint64_t held_before = DeviceMemory::in_use();
+    device_bytes_before_ = DeviceMemory::in_use();
     DeviceMemory::forget_peak();
     verify_or_throw(min_time_ms);
-    if (row_.how.backend->device) result_.device_bytes = DeviceMemory::peak() - held_before;
   } catch (const LimitError& reason) {
     result_.skipped = reason.what();
     finder_.reset();
   }
+}
+
+void RowRunner::record_device_memory() {
+  if (!row_.how.backend->device) return;
+  result_.device_bytes = DeviceMemory::peak() - device_bytes_before_;
 }
 
 void RowRunner::require_under_limit(const Counts& counts) const {

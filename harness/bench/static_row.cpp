@@ -18,6 +18,7 @@ constexpr double kMaxIterations = 1000.0;
 void StaticRow::verify_or_throw(double min_time_ms) {
   finder_ = row_.how.backend->create();
   const Outcome outcome = find_completely(*finder_, subject_.view(), options_);
+  record_device_memory();
   result_.counts = outcome.counts;
   result_.plan_ms = outcome.plan_ms;
   require_under_limit(outcome.counts);
