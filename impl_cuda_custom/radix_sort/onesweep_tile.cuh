@@ -55,10 +55,10 @@ class Tile {
   /// Takes the next tile; false where there is none left. Numbers come from a counter and not from
   /// blockIdx, so that all tiles below have started.
   __device__ bool take() {
+    const std::uint32_t count = pairs_to_sort(pass_.count, pass_.capacity);
     if (threadIdx.x == 0) s_.number = atomicAdd(pass_.next_tile, 1u);
     __syncthreads();
     number_ = s_.number;
-    const std::uint32_t count = pairs_to_sort(pass_.count, pass_.capacity);
     if (number_ >= parts_of(count, kSize)) return false;
     first_ = number_ * kSize;
     here_ = min(count - first_, kSize);
@@ -100,16 +100,8 @@ class Tile {
     even_ = counts & 0xffff;
     odd_ = counts >> 16;
     if (is_owner()) publish(number_ == 0 ? pass_.states.whole : pass_.states.own, own_counts());
-    start_ = block_sums<kThreads>(even_ + odd_, s_.warp_sums).before;
-    if (is_owner()) {
-      std::uint32_t places = start_ | (start_ + even_) << 16;
-#pragma unroll
-      for (int warp = 0; warp < kWarps; ++warp) {
-        const std::uint32_t next = places + s_.counts[warp][threadIdx.x];
-        s_.counts[warp][threadIdx.x] = places;
-        places = next;
-      }
-    }
+    const std::uint32_t start = block_sums<kThreads>(even_ + odd_, s_.warp_sums).before;
+    if (is_owner()) place_digits(start);
     __syncthreads();
 #pragma unroll
     for (int item = 0; item < kItems; ++item) {
@@ -128,7 +120,7 @@ class Tile {
   __device__ void order_values_and_look_back() {
     std::uint32_t values[kItems];
     load_items(pass_.from.values, 0, values);
-    if (is_owner()) find_offsets();
+    if (is_owner()) look_back_for_digits();
 #pragma unroll
     for (int item = 0; item < kItems; ++item) s_.ordered.values[rank(item)] = values[item];
     __syncthreads();
@@ -199,15 +191,30 @@ class Tile {
     look_back::write(word(), state | counts);
   }
 
-  __device__ void find_offsets() {
-    std::uint64_t below = 0;
-    if (number_ != 0) {
-      below = look_back::sum_below<kOwners>(word() - kOwners, pass_.states);
-      publish(pass_.states.whole, below + own_counts());
-    }
+  /// `start`: where the even digit begins in the tile. A warp's counts become the places of its
+  /// first keys; offsets become right for a tile with nothing below it.
+  __device__ void place_digits(std::uint32_t start) {
     const std::uint32_t digit = 2 * threadIdx.x;
-    s_.offsets[digit] = pass_.starts[digit] + look_back::even_of(below) - start_;
-    s_.offsets[digit + 1] = pass_.starts[digit + 1] + look_back::odd_of(below) - start_ - even_;
+    const std::uint32_t even_start = pass_.starts[digit];
+    const std::uint32_t odd_start = pass_.starts[digit + 1];
+    std::uint32_t places = start | (start + even_) << 16;
+#pragma unroll
+    for (int warp = 0; warp < kWarps; ++warp) {
+      const std::uint32_t next = places + s_.counts[warp][threadIdx.x];
+      s_.counts[warp][threadIdx.x] = places;
+      places = next;
+    }
+    s_.offsets[digit] = even_start - start;
+    s_.offsets[digit + 1] = odd_start - start - even_;
+  }
+
+  /// Adds what stands in the tiles below.
+  __device__ void look_back_for_digits() {
+    if (number_ == 0) return;
+    const std::uint64_t below = look_back::sum_below<kOwners>(word() - kOwners, pass_.states);
+    publish(pass_.states.whole, below + own_counts());
+    s_.offsets[2 * threadIdx.x] += look_back::even_of(below);
+    s_.offsets[2 * threadIdx.x + 1] += look_back::odd_of(below);
   }
 
   const Pass& pass_;
@@ -219,7 +226,6 @@ class Tile {
   std::uint32_t ranks_[(kItems + 1) / 2] = {};  // two in a word, to save registers
   std::uint32_t even_ = 0;                      // how often an owner's two digits occur in the tile
   std::uint32_t odd_ = 0;
-  std::uint32_t start_ = 0;  // where the even one begins in the tile
 };
 
 }  // namespace octocell::cuda_custom::onesweep
