@@ -108,6 +108,7 @@ nlohmann::ordered_json describe_missing(const Group& group) {
           {"spec", group.argument},
           {"real", group.real},
           {"unavailable", group.unavailable},
+          {"frames", 0},
           {"truth", nullptr}};
 }
 

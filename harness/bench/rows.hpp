@@ -18,7 +18,7 @@ enum class Run : std::uint8_t {
   warm,          // buffers and objects stand and were touched; everything is found anew
   first_update,  // baselines: as update, the first after the structure was built
   update,        // baselines: the structure stands, every sphere is announced anew, then all pairs
-  dynamic,  // the spheres move from frame to frame: each one\'s own way to follow, then all pairs
+  dynamic,  // the spheres move from frame to frame: each one's own way to follow, then all pairs
 };
 inline constexpr std::string_view kRunNames[] = {"cold", "warm", "first_update", "update",
                                                  "dynamic"};

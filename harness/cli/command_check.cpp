@@ -97,7 +97,7 @@ void print_verdict(const Implementation& how, const Verdict& verdict) {
       fmt::terminal_color::yellow, fmt::terminal_color::bright_black};
   const std::string text =
       verdict.grade == Grade::skipped ? "skipped: " + verdict.text : verdict.text;
-  fmt::print("  {:<40} ", how.label());
+  fmt::print("  {:<42} ", how.label());
   if (!colours) return fmt::print("{}\n", text);
   fmt::print(fmt::fg(kColours[static_cast<std::size_t>(verdict.grade)]), "{}\n", text);
 }
