@@ -10,6 +10,7 @@ packages=(
   libboost-dev    # Asio's thread pool (headers)
   libgmp-dev      # the exact reference
   libfcl-dev libbullet-dev  # the baselines
+  libtbb-dev libhwy-dev     # sorts to compare with
   python3-venv    # the reports
 )
 # Thrust's headers come with a CUDA toolkit; where there is none, from Debian.

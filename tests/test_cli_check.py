@@ -26,7 +26,7 @@ def labels(octocell: Octocell) -> list[str]:
 
 
 def test_check_tries_every_implementation_on_every_generator(octocell: Octocell) -> None:
-    text = octocell.ok("check").stdout
+    text = octocell.ok("check", timeout=240).stdout
     heads = re.findall(r"^(\w+):n=2000\S* \(2000 spheres, \d+ pairs\)$", text, re.MULTILINE)
     assert heads == GENERATORS
     unavailable = octocell.unavailable()
