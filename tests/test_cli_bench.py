@@ -175,6 +175,13 @@ def test_skipped_rows_say_why(octocell: Octocell, tmp_path: Path) -> None:
         assert row["total_ms"] == []
 
 
+def test_a_baseline_that_takes_too_long_is_skipped(octocell: Octocell, tmp_path: Path) -> None:
+    path = tmp_path / "x.json"
+    args = ("--backend", "bullet_simple", "--timeout", 0.05)
+    octocell.ok("bench", "gas:n=30000", "-o", path, *TINY, *args)
+    assert {row["reason"] for row in load(path)["rows"]} == {"no answer within 0.05 s"}
+
+
 def test_filter_and_backend_choose_rows(octocell: Octocell, tmp_path: Path) -> None:
     path = tmp_path / "x.json"
     octocell.ok("bench", "gas:n=100", "-o", path, *TINY, "--benchmark_filter=dbvt/.*run:warm")
@@ -301,6 +308,7 @@ REFUSALS = {
     "warmup": (["gas:n=9", "--benchmark_min_warmup_time=long"], ["--benchmark_min_warmup_time"]),
     "format": (["gas:n=9", "--benchmark_format=fancy"], ["--benchmark_format"]),
     "unknown_benchmark_flag": (["gas:n=9", "--benchmark_nothing"], ["--benchmark_nothing"]),
+    "timeout_zero": (["gas:n=9", "--timeout", "0"], ["--timeout"]),
     "unknown_flag": (["gas:n=9", "--nothing"], ["--nothing"]),
 }
 

@@ -5,6 +5,7 @@
 
 #include "harness/bench/dynamic_row.hpp"
 #include "harness/bench/static_row.hpp"
+#include "harness/driver/isolate.hpp"
 #include "harness/interface/error.hpp"
 
 namespace octocell::bench {
@@ -22,6 +23,15 @@ void RowRunner::verify(double min_time_ms) {
   } catch (const LimitError& reason) {
     result_.skipped = reason.what();
     finder_.reset();
+  }
+}
+
+std::optional<std::string> RowRunner::try_apart(std::chrono::duration<double> limit) const {
+  try {
+    find_isolated(row_.how.backend->create, subject_.view(), options_, limit);
+    return std::nullopt;
+  } catch (const LimitError& reason) {
+    return reason.what();
   }
 }
 

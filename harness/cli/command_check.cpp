@@ -115,13 +115,9 @@ Limits limits_of(const Options& options) {
     throw InputError(
         fmt::format("--candidate-limit {}: must be 0 to 1e19", options.candidate_limit));
   }
-  if (!(options.timeout > 0.0) || options.timeout > 1e6) {
-    throw InputError(
-        fmt::format("--timeout {}: must be above 0 and at most 1e6 seconds", options.timeout));
-  }
   return {.threads = thread_count(options.threads),
           .candidates = static_cast<std::uint64_t>(options.candidate_limit),
-          .time = std::chrono::duration<double>(options.timeout)};
+          .time = time_limit(options.timeout)};
 }
 
 int check(const Options& options) {
