@@ -10,6 +10,7 @@ packages=(
   libboost-dev    # Asio's thread pool (headers)
   libgmp-dev      # the exact reference
   libfcl-dev libbullet-dev  # the baselines
+  libtbb-dev libhwy-dev     # sorts to compare with
   python3-venv    # the reports
 )
 # Thrust's headers come with a CUDA toolkit; where there is none, from Debian.
@@ -57,8 +58,18 @@ import_scene() {  # FILE, options of octocell-import ...
   say "$scene made of $file"
 }
 
+# A moving scene: one .npy a frame.
+import_frames() {  # TRAJECTORY, FOLDER, options of octocell-import ...
+  local file=$1 folder=$2
+  shift 2
+  [ -f "$file" ] && [ ! "$folder/frame_00000.npy" -nt "$file" ] || return 0
+  .venv/bin/octocell-import "$file" "$@" --all-frames "$folder" >/dev/null
+  say "$folder/ made of $file"
+}
+
 install_packages
 make_python_environment
 .venv/bin/python scripts/fetch_data.py
 import_scene data/adk_oplsaa.gro --radius MW=0  # the water's fourth site: charge without size
 import_scene data/bigbox.gro
+import_frames data/adk_oplsaa.trr data/adk_frames --topology data/adk_oplsaa.gro --radius MW=0

@@ -12,6 +12,9 @@ import pytest
 
 from program import ROOT, Octocell, Refused
 
+# Tests share the cores; a thread of OpenMP's that waits must not spin.
+os.environ.setdefault("OMP_WAIT_POLICY", "passive")
+
 
 @pytest.fixture(scope="session")
 def octocell() -> Octocell:

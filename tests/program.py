@@ -57,13 +57,18 @@ class Octocell:
         assert found, f"`octocell list` has no section {section}:\n{text}"
         return re.findall(r"^  (\w+) ", found[1], re.MULTILINE)
 
+    def unavailable(self) -> dict[str, str]:
+        """Backends that cannot run here, and why not."""
+        text = self.ok("list").stdout
+        return dict(re.findall(r"^  (\w+) .* not here: (.+)$", text, re.MULTILINE))
+
     def faulty(self) -> set[str]:
         """Baselines that may lose pairs, by a fault that `octocell list` names."""
         text = self.ok("list").stdout
         return set(re.findall(r"^  (\w+) .*\n      known fault: ", text, re.MULTILINE))
 
     def implementations(self) -> list[tuple[str, ...]]:
-        """The flags of `find` for each row of `check`."""
+        """The flags of `find` for each row of `check`, whether it can run here or not."""
         rows: list[tuple[str, ...]] = []
         for backend in self.listed("backends"):
             rows += [("--backend", backend, "--rule", rule) for rule in RULES]

@@ -69,11 +69,15 @@ def test_every_implementation_agrees_or_says_why_not(
 ) -> None:
     path, spheres = hard_scene
     truth = exact_pairs(spheres)
-    faulty = octocell.faulty()
+    faulty, unavailable = octocell.faulty(), octocell.unavailable()
     for how in octocell.implementations():
         if "as_written" in how:
             continue
         result = octocell.run("find", path, *how)
+        if how[1] in unavailable:
+            assert (result.rc, result.stdout) == (2, "")
+            assert f"{how[1]} cannot run here: {unavailable[how[1]]}" in result.stderr
+            continue
         if how[1] in faulty and result.rc == 0:
             assert "            may lose pairs: " in result.stdout
             found = re.search(r"^pairs +(\d+)$", result.stdout, re.MULTILINE)

@@ -2,6 +2,7 @@
 // Time every implementation on every scene, check each row against the exact pairs, write JSON.
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,8 +20,10 @@ struct BenchOptions {
   std::string filter;         // regular expression on row names; empty: all
   std::optional<int> rounds;  // instead of the preset's
   double min_time_ms = 10.0;  // a measurement repeats short runs for at least this long
-  bool list_only = false;     // print the names of the rows and stop
-  bool memory = true;         // measure peak memory, one child process a row
+  /// A baseline is first tried in a process of its own, which may take so long.
+  std::chrono::duration<double> baseline_limit{60.0};
+  bool list_only = false;  // print the names of the rows and stop
+  bool memory = true;      // measure peak memory, one child process a row
 };
 
 /// Takes the flags it knows out of `arguments` (Google Benchmark's --benchmark_filter,

@@ -5,9 +5,9 @@
 
 namespace octocell::bench {
 
-/// Frames that only settle a structure: the first is built, and boxes that grow on first contact
-/// grow in the second. They are reported, and left out of the steady state.
-inline constexpr std::size_t kWarmupFrames = 2;
+/// Frames that only settle a structure: the first is built, and boxes that grow on contact grow in
+/// the next few. They are reported, and left out of the steady state.
+inline constexpr std::size_t kWarmupFrames = 5;
 
 /// A scene that moves: each frame is announced by update(), then all pairs are found. A backend
 /// whose plan no longer holds plans again, in that frame's time.

@@ -16,20 +16,25 @@ namespace {
 constexpr std::string_view kMolecule = "data/1A2C.pqr";
 constexpr std::string_view kTrajectory = "data/adk_frames";
 constexpr std::uint64_t kMotionSeed = 1;
+constexpr const char* kScenes[] = {"gas",     "dense",   "poly", "cluster",
+                                   "lattice", "shifted", "giant"};
 
 void add(std::vector<Group>& groups, std::string_view scene, std::uint64_t n, int rounds,
-         bool slow_rows = true) {
+         Rows rows) {
   groups.push_back({.scene = std::string(scene),
                     .n = n,
                     .argument = fmt::format("{}:n={},seed=1", scene, n),
                     .rounds = rounds,
-                    .slow_rows = slow_rows});
+                    .rows = rows});
 }
 
 /// Fetched at set-up, or not.
 Group molecule(int rounds) {
-  Group group = {
-      .scene = "1A2C", .argument = std::string(kMolecule), .real = true, .rounds = rounds};
+  Group group = {.scene = "1A2C",
+                 .argument = std::string(kMolecule),
+                 .real = true,
+                 .rounds = rounds,
+                 .rows = Rows::usual};
   try {
     group.n = load_or_generate(group.argument).spheres.size();
   } catch (const InputError& missing) {
@@ -56,19 +61,20 @@ void make_labels_distinct(std::vector<Group>& groups) {
 /// A gas that moves.
 void add_motion(std::vector<Group>& groups, Motion motion, std::uint64_t n, int frames,
                 int rounds) {
-  add(groups, "gas", n, rounds, n <= 10'000);
+  add(groups, "gas", n, rounds, n <= 10'000 ? Rows::usual : Rows::fast);
   groups.back().scene = fmt::format("gas_{}", kMotionNames[static_cast<std::size_t>(motion)]);
   groups.back().motion = motion;
   groups.back().frames = frames;
 }
 
 /// Frames that set-up made from a real trajectory, or did not.
-Group trajectory(std::string folder, int rounds) {
+Group trajectory(const std::string& folder, int rounds) {
   Group group = {.scene = "adk_trajectory",
                  .argument = folder,
                  .trajectory = folder,
                  .real = true,
-                 .rounds = rounds};
+                 .rounds = rounds,
+                 .rows = Rows::usual};
   try {
     const Frames frames = load_frames(folder);
     group.n = frames.front().size();
@@ -81,17 +87,13 @@ Group trajectory(std::string folder, int rounds) {
 
 std::vector<Group> quick_groups() {
   std::vector<Group> groups;
-  add(groups, "gas", 1'000, 5);
-  for (const auto scene : {"gas", "dense", "poly", "cluster", "lattice", "shifted", "giant"}) {
-    add(groups, scene, 10'000, 5);
-  }
-  groups.push_back(molecule(5));
-  for (const auto scene : {"gas", "dense", "poly", "cluster", "lattice", "shifted", "giant"}) {
-    add(groups, scene, 100'000, 3, std::string_view(scene) == "gas");
-  }
+  for (const auto scene : kScenes) add(groups, scene, 1'000, 3, Rows::every);
+  for (const auto scene : kScenes) add(groups, scene, 10'000, 3, Rows::usual);
+  groups.push_back(molecule(3));
+  for (const auto scene : kScenes) add(groups, scene, 100'000, 3, Rows::fast);
   add_motion(groups, Motion::brownian, 10'000, 12, 3);
-  add_motion(groups, Motion::brownian, 100'000, 8, 3);
-  add(groups, "gas", 1'000'000, 3, false);
+  add_motion(groups, Motion::brownian, 100'000, 10, 2);
+  add(groups, "gas", 1'000'000, 3, Rows::fast);
   return groups;
 }
 
@@ -99,8 +101,12 @@ std::vector<Group> full_groups() {
   std::vector<Group> groups;
   groups.push_back(molecule(11));
   for (const std::uint64_t n : {1'000ULL, 10'000ULL, 100'000ULL, 1'000'000ULL}) {
-    for (const auto scene : {"gas", "dense", "poly", "cluster", "lattice", "shifted", "giant"}) {
-      add(groups, scene, n, n < 100'000 ? 11 : n < 1'000'000 ? 7 : 5);
+    for (const auto scene : kScenes) {
+      add(groups, scene, n,
+          n < 100'000     ? 11
+          : n < 1'000'000 ? 7
+                          : 5,
+          n < 100'000 ? Rows::every : Rows::usual);
     }
   }
   for (const std::uint64_t n : {10'000ULL, 100'000ULL, 1'000'000ULL}) {

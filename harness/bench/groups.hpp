@@ -11,6 +11,13 @@
 
 namespace octocell::bench {
 
+/// Which rows a group has time for.
+enum class Rows : std::uint8_t {
+  fast,   // the default rule of each backend, and each library's fastest
+  usual,  // all methods and rules, and the broad phases that are meant for many spheres
+  every,  // those that look at nearly all pairs, too
+};
+
 /// Rows that are interleaved with each other: one scene at one size.
 struct Group {
   std::string scene;                  // label: generator or file stem
@@ -22,7 +29,7 @@ struct Group {
   int frames = 1;
   bool real = false;  // a file fetched at set-up; it may be missing
   int rounds = 5;
-  bool slow_rows = true;  // false: at this size only the fastest of each family
+  Rows rows = Rows::every;
 
   [[nodiscard]] bool moves() const { return motion || !trajectory.empty(); }
 };

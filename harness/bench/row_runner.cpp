@@ -5,6 +5,7 @@
 
 #include "harness/bench/dynamic_row.hpp"
 #include "harness/bench/static_row.hpp"
+#include "harness/driver/isolate.hpp"
 #include "harness/interface/device_memory.hpp"
 #include "harness/interface/error.hpp"
 
@@ -31,6 +32,15 @@ void RowRunner::verify(double min_time_ms) {
 void RowRunner::record_device_memory() {
   if (!row_.how.backend->device) return;
   result_.device_bytes = DeviceMemory::peak() - device_bytes_before_;
+}
+
+std::optional<std::string> RowRunner::try_apart(std::chrono::duration<double> limit) const {
+  try {
+    find_isolated(row_.how.backend->create, subject_.view(), options_, limit);
+    return std::nullopt;
+  } catch (const LimitError& reason) {
+    return reason.what();
+  }
 }
 
 void RowRunner::require_under_limit(const Counts& counts) const {

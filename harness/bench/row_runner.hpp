@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <map>
 #include <memory>
 #include <optional>
@@ -51,6 +52,11 @@ class RowRunner {
   /// One complete run, compared with the truth, which also shows how long a run takes. A row that
   /// cannot be run here is marked skipped, with the reason.
   void verify(double min_time_ms);
+
+  /// The same run in a process of its own, for a library that may crash or never end: says how it
+  /// ended, if it did not end well.
+  [[nodiscard]] std::optional<std::string> try_apart(std::chrono::duration<double> limit) const;
+  void skip(const std::string& reason) { result_.skipped = reason; }
 
   /// One measurement of this round. The pairs are compared with the truth again after it.
   virtual void measure(const std::string& name) = 0;

@@ -9,12 +9,19 @@
 namespace octocell::bench {
 namespace {
 
-/// Where a group has no time for all rows: the default rule, and each library's fastest.
-bool is_fast(const Implementation& how) {
-  constexpr std::string_view kFastBaselines[] = {
-      "fcl_dynamic_aabb_tree_morton", "fcl_dynamic_aabb_tree_array_morton", "bullet_dbvt"};
-  if (!how.is_baseline()) return how.has_rule();
-  return std::ranges::find(kFastBaselines, how.backend->name) != std::end(kFastBaselines);
+constexpr std::string_view kFastBaselines[] = {"fcl_dynamic_aabb_tree_morton",
+                                               "fcl_dynamic_aabb_tree_array_morton", "bullet_dbvt"};
+// Sweeps along one axis, one list for all, or cells in lists: quadratic, or nearly.
+constexpr std::string_view kSlowBaselines[] = {
+    "fcl_sap",   "fcl_ssap",          "fcl_interval_tree",    "fcl_spatial_hashing",
+    "fcl_naive", "bullet_axis_sweep", "bullet_axis_sweep_32", "bullet_simple"};
+
+bool has_time_for(const Implementation& how, Rows rows) {
+  const auto is_among = [&](const auto& names) {
+    return std::ranges::find(names, how.backend->name) != std::end(names);
+  };
+  if (rows == Rows::fast) return how.is_baseline() ? is_among(kFastBaselines) : how.has_rule();
+  return rows == Rows::every || !is_among(kSlowBaselines);
 }
 
 std::vector<int> thread_counts(const Implementation& how) {
@@ -38,7 +45,7 @@ std::vector<RowSpec> rows_of(const Group& group, std::string_view backend,
                              const std::regex& filter) {
   std::vector<RowSpec> rows;
   for (const Implementation& how : implementations(backend)) {
-    if (!group.slow_rows && !is_fast(how)) continue;
+    if (!has_time_for(how, group.rows)) continue;
     if (group.moves() && how.exhibit()) continue;  // its losses do not depend on motion
     for (const int threads : thread_counts(how)) {
       if (group.moves()) {
@@ -53,7 +60,7 @@ std::vector<RowSpec> rows_of(const Group& group, std::string_view backend,
         rows.push_back({how, 1, run});
       }
     }
-    if (!how.is_baseline() || !group.slow_rows || group.moves()) continue;
+    if (!how.is_baseline() || group.rows == Rows::fast || group.moves()) continue;
     rows.push_back({how, 1, Run::first_update});
     rows.push_back({how, 1, Run::update});
   }

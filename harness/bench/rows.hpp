@@ -21,7 +21,7 @@ enum class Run : std::uint8_t {
   transfers,     // devices: as warm, and the spheres come from the host, and the pairs go there
   first_update,  // baselines: as update, the first after the structure was built
   update,        // baselines: the structure stands, every sphere is announced anew, then all pairs
-  dynamic,  // the spheres move from frame to frame: each one\'s own way to follow, then all pairs
+  dynamic,  // the spheres move from frame to frame: each one's own way to follow, then all pairs
 };
 inline constexpr std::string_view kRunNames[] = {"cold",      "warm",         "rotated", "graph",
                                                  "transfers", "first_update", "update",  "dynamic"};

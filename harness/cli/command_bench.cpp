@@ -22,6 +22,7 @@ void add_memory_child(CLI::App& app, Command& command) {
 
 void add_bench(CLI::App& app, Command& command) {
   auto o = std::make_shared<bench::BenchOptions>();
+  auto timeout = std::make_shared<double>(o->baseline_limit.count());
   CLI::App* sub = app.add_subcommand(
       "bench",
       "Time every implementation; Google Benchmark's flags (--benchmark_...) pass through");
@@ -33,9 +34,12 @@ void add_bench(CLI::App& app, Command& command) {
   sub->add_option("--trajectory", o->trajectory, "A folder of frames (*.npy) to time");
   sub->add_option("-o,--output", o->output, "JSON to write (default reports/out/bench.json)");
   sub->add_option("--rounds", o->rounds, "Rounds of each group")->check(CLI::Range(1, 1000000));
+  sub->add_option("--timeout", *timeout,
+                  "Seconds that a baseline may take to be tried (default 60)");
   sub->add_flag("!--no-memory", o->memory, "Do not measure memory");
   sub->allow_extras();
-  sub->callback([&command, o, sub] {
+  sub->callback([&command, o, timeout, sub] {
+    o->baseline_limit = time_limit(*timeout);
     bench::take_benchmark_flags(*o, sub->remaining());
     command = [o] { return bench::run_bench(*o); };
   });

@@ -97,7 +97,7 @@ void print_verdict(const Implementation& how, const Verdict& verdict) {
       fmt::terminal_color::yellow, fmt::terminal_color::bright_black};
   const std::string text =
       verdict.grade == Grade::skipped ? "skipped: " + verdict.text : verdict.text;
-  fmt::print("  {:<40} ", how.label());
+  fmt::print("  {:<42} ", how.label());
   if (!colours) return fmt::print("{}\n", text);
   fmt::print(fmt::fg(kColours[static_cast<std::size_t>(verdict.grade)]), "{}\n", text);
 }
@@ -115,13 +115,9 @@ Limits limits_of(const Options& options) {
     throw InputError(
         fmt::format("--candidate-limit {}: must be 0 to 1e19", options.candidate_limit));
   }
-  if (!(options.timeout > 0.0) || options.timeout > 1e6) {
-    throw InputError(
-        fmt::format("--timeout {}: must be above 0 and at most 1e6 seconds", options.timeout));
-  }
   return {.threads = thread_count(options.threads),
           .candidates = static_cast<std::uint64_t>(options.candidate_limit),
-          .time = std::chrono::duration<double>(options.timeout)};
+          .time = time_limit(options.timeout)};
 }
 
 int check(const Options& options) {

@@ -25,10 +25,14 @@ int complain(std::string_view what, int exit_code) {
   return exit_code;
 }
 
+int complain_of_output() {
+  return complain("standard output: could not be written", cli::kExitBadInput);
+}
+
 int require_output(int exit_code) {
   std::cout.flush();
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good()) return exit_code;
-  return complain("standard output: could not be written", cli::kExitBadInput);
+  return complain_of_output();
 }
 
 /// CLI11 says only that a command is missing; this says which word is none.
@@ -77,6 +81,8 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return complain("not enough memory for this scene", octocell::cli::kExitBadInput);
   } catch (const std::exception& error) {
+    // Long output fails on the way, in fmt's words, not at the end.
+    if (std::ferror(stdout) != 0) return complain_of_output();
     return complain(error.what(), octocell::cli::kExitBadInput);
   }
 }

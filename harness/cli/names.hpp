@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <span>
 #include <string_view>
 #include <thread>
@@ -42,6 +43,13 @@ inline int thread_count(int asked) {
         fmt::format("--threads {}: must be 1 to {}, or 0 for all", asked, kMaxThreads));
   }
   return asked != 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+inline std::chrono::duration<double> time_limit(double seconds) {
+  if (!(seconds > 0.0) || seconds > 1e6) {
+    throw InputError(fmt::format("--timeout {}: must be above 0 and at most 1e6 seconds", seconds));
+  }
+  return std::chrono::duration<double>(seconds);
 }
 
 }  // namespace octocell::cli

@@ -25,6 +25,9 @@ def overview(result: Result, language: str = "en") -> list[str]:
     if verdict.skipped:
         key = "rows_skipped_one" if verdict.skipped == 1 else "rows_skipped"
         found.append(tell(language, key, rows=verdict.skipped))
+    if result.absent:
+        listed = [f"{backend} ({reason})" for backend, reason in result.absent.items()]
+        found.append(tell(language, "absent", backends=_listed(listed, language)))
     if verdict.unavailable:
         found.append(tell(language, "not_there", scenes=_listed(verdict.unavailable, language)))
     return found + speed(result, "warm", language)

@@ -126,6 +126,7 @@ class Result:
     context: Json
     groups: list[Group]
     rows: list[Row]
+    absent: dict[str, str]  # backends that could not run at all, and why; they have no rows here
 
     @property
     def impls(self) -> list[Impl]:
@@ -184,7 +185,22 @@ def parse(document: Any) -> Result:
     groups = [_group(item, i) for i, item in enumerate(_list(document, "groups"))]
     rows = [_row(item, i) for i, item in enumerate(_list(document, "rows"))]
     _check_together(groups, rows)
-    return Result(context, groups, rows)
+    absent = _absent(rows)
+    return Result(context, groups, [r for r in rows if r.impl.backend not in absent], absent)
+
+
+def _absent(rows: list[Row]) -> dict[str, str]:
+    """Backends whose rows were all skipped for one reason: no device, say."""
+    reasons: dict[str, set[str | None]] = {}
+    for row in rows:
+        if row.kind == "backend":
+            skipped = row.reason if row.status == "skipped" else None
+            reasons.setdefault(row.impl.backend, set()).add(skipped)
+    return {
+        backend: reason
+        for backend, (reason, *others) in reasons.items()
+        if reason is not None and not others
+    }
 
 
 def _list(document: Json, key: str) -> list[Any]:

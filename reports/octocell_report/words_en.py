@@ -160,6 +160,7 @@ _FINDINGS = {
     "rows_skipped_one": "1 row was skipped, each with its reason below.",
     "rows_skipped": "{rows} rows were skipped, each with its reason below.",
     "excused": "{rows} rows of baselines miss pairs by known faults of their libraries ({names}).",
+    "absent": "Could not run here: {backends}.",
     "not_there": "Not there: {scenes}.",
     "exhibits": "{rows} more belong to exhibits ({rules}), kept because they are wrong",
     "exhibits_missed": "{exhibits}: they miss {share} % of the pairs.",

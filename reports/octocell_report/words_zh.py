@@ -140,6 +140,7 @@ _FINDINGS = {
     "rows_skipped_one": "1 行被跳过，原因见下文。",
     "rows_skipped": "{rows} 行被跳过，各行的原因见下文。",
     "excused": "{rows} 行基线因其程序库的已知缺陷而漏掉球对（{names}）。",
+    "absent": "此处无法运行：{backends}。",
     "not_there": "未找到：{scenes}。",
     "exhibits": "另有 {rows} 行属于反例（{rules}），因其错误而保留",
     "exhibits_missed": "{exhibits}：它们漏掉 {share} % 的球对。",

@@ -6,10 +6,11 @@ import copy
 import pytest
 
 from octocell_report.fields import ReportError
+from octocell_report.findings import overview
 from octocell_report.load import STAGES, Impl, Place, load, parse
 
 import synthetic
-from synthetic import group, row, skipped, wrong
+from synthetic import RUN_FACTORS, group, row, skipped, wrong
 
 
 def one_row(**changes):
@@ -112,9 +113,22 @@ def test_a_skipped_row_needs_no_measurements():
     full = skipped(document["rows"][0], "too many")
     bare = {k: v for k, v in full.items() if v is not None and v not in ([], {})}
     for version in (full, bare | {"method": "home_phantom", "rule": None}):
-        document["rows"] = [copy.deepcopy(version)]
+        document["rows"] = [copy.deepcopy(version), row(run="cold")]
         known = parse(document).rows[0]
         assert known.total_ms == () and known.stage_ms == {}
+
+
+def test_a_backend_that_could_not_run_at_all_has_no_rows():
+    document = one_row()
+    document["rows"] = [row()] + [
+        skipped(row(backend="impl_thrust_cuda", run=run), "no CUDA device") for run in RUN_FACTORS
+    ]
+    result = parse(document)
+    assert [known.impl.backend for known in result.rows] == ["impl_cpu"]
+    assert result.absent == {"impl_thrust_cuda": "no CUDA device"}
+    assert "Could not run here: impl_thrust_cuda (no CUDA device)." in overview(result)
+    document["rows"][-1]["reason"] = "another"
+    assert parse(document).absent == {}
 
 
 def test_a_wrong_row_may_not_know_its_losses():
