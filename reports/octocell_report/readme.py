@@ -149,6 +149,31 @@ def _ratio(row: Row | None, reference: Row | None) -> str:
     return words.ratio(median(rounds)) if rounds else words.NONE
 
 
+def moving(result: Result) -> str:
+    """The same for scenes that move, at the largest size of each: a frame's time, once settled."""
+    ratios = tables.ratios(result, "dynamic")
+    if not ratios:
+        raise ReportError("block 'moving' needs a moving scene, which the result does not have")
+    titles, families = words.titles(result), tables.families(result)
+    largest = {scene: result.largest(scene) for scene in result.scenes}
+    header = ["scene", "spheres", "implementation", "frame [ms]"]
+    header += [f"vs fastest {words.family_title(family)}" for family in families]
+    lines = [_line(header), _rule(len(header))]
+    for place in dict.fromkeys(r.place for r in ratios if r.place == largest[r.place.scene]):
+        for row in result.at(place, "dynamic"):
+            held = {r.family: r for r in ratios if (r.impl, r.place) == (row.impl, place)}
+            if held:
+                cells = [words.ratio(held[f].median) if f in held else words.NONE for f in families]
+                time = words.number(row.median_ms)
+                size = words.grouped(place.n)
+                lines.append(_line([place.scene, size, titles[row.impl], time, *cells]))
+    note = (
+        "Median frame after those that settle a structure. Ours builds anew in each frame; a library "
+        "updates what stands. The ratio is the library's fastest frame time by the row's."
+    )
+    return "\n".join([*lines, "", note])
+
+
 def correctness(result: Result) -> str:
     """Implementations down, scenes across; what stands in a cell holds for all its sizes."""
     titles, cells = words.titles(result), tables.correctness(result)
@@ -206,6 +231,7 @@ def _rule(columns: int) -> str:
 
 BLOCKS: dict[str, Callable[[Result], str]] = {
     "speed": speed,
+    "moving": moving,
     "correctness": correctness,
     "machine": machine,
 }

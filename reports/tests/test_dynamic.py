@@ -5,7 +5,17 @@ from __future__ import annotations
 
 import pytest
 
-from octocell_report import dynamic, findings, frames, page, page_tables, plots, tables
+from octocell_report import (
+    dynamic,
+    findings,
+    frames,
+    page,
+    page_tables,
+    plots,
+    readme,
+    tables,
+    words,
+)
 from octocell_report.fields import ReportError
 from octocell_report.load import Place, parse
 
@@ -135,3 +145,11 @@ def test_bad_frames_are_named(changes, message):
     with pytest.raises(ReportError, match=message) as error:
         result_of(known)
     assert str(error.value).startswith("row 0 (find_pairs/") and "frames" in str(error.value)
+
+
+def test_the_readme_holds_the_steady_frame_against_each_library():
+    block = readme.moving(result_of(*three()))
+    size = words.grouped(1000)
+    assert f"| gas_brownian | {size} | impl_cpu lowest_cell | 2.20 | 3.00× | 0.50× |" in block
+    with pytest.raises(ReportError, match="needs a moving scene"):
+        readme.moving(parse(synthetic.document([group("gas", 1000)], [row()])))
