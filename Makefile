@@ -6,11 +6,13 @@ VENV := .venv
 PYTHON := $(VENV)/bin/python
 RESULT ?= reports/out/bench.json
 PUBLISHED := reports/results/epyc-zen5-2core/quick.json
+# Machine code for the common GPUs from Turing on; the last entry's PTX serves what is newer.
+GPUS ?= 75-real 80-real 86-real 89-real 90
 # Strict where changes are checked, lenient with compilers yet unborn.
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build test bench bench-full bench-sort report readme sanitize cuda-toolkit clean
+.PHONY: help setup build test bench bench-full bench-sort report readme sanitize cuda-toolkit bundle clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -55,5 +57,8 @@ sanitize: setup ## Build and test with ASan + UBSan, then with TSan
 cuda-toolkit: ## Make a CUDA toolkit (nvcc and Thrust) in .cuda/, where the machine has none
 	@scripts/cuda_toolkit.sh
 
+bundle: setup ## Pack what a GPU node needs to run without network or root: dist/octocell.tar.gz
+	@scripts/make_bundle.sh $(GPUS)
+
 clean: ## Remove everything that was built or drawn
-	rm -rf build build-* reports/out
+	rm -rf build build-* dist reports/out

@@ -33,6 +33,10 @@ class ThrustBackend final : public GridPairFinder {
     w_.spheres = w_.system.take(scene);
   }
 
+  std::unique_ptr<StageClock> make_clock(Marks marks) override {
+    return w_.system.make_clock(marks);
+  }
+
   Counts counts() override {
     Counts found;
     found.ids = w_.id_count;
@@ -88,16 +92,7 @@ std::unique_ptr<PairFinder> make_host_backend() {
 
 #ifdef __CUDACC__
 
-std::optional<std::string> why_no_cuda() {
-  static const std::optional<std::string> reason = []() -> std::optional<std::string> {
-    int count = 0;
-    const cudaError_t result = cudaGetDeviceCount(&count);
-    if (result == cudaSuccess && count > 0) return std::nullopt;
-    return std::string("no CUDA device: ") +
-           cudaGetErrorString(result == cudaSuccess ? cudaErrorNoDevice : result);
-  }();
-  return reason;
-}
+std::optional<std::string> why_no_cuda() { return cuda::why_no_device(); }
 
 std::unique_ptr<PairFinder> make_cuda_backend() {
   if (const auto reason = why_no_cuda()) throw Error(*reason);

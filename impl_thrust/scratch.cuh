@@ -17,7 +17,7 @@ struct HostMemory {
   static char* allocate(std::size_t bytes) {
     return static_cast<char*>(::operator new(bytes, kAlignment));
   }
-  static void release(char* memory) { ::operator delete(memory, kAlignment); }
+  static void release(char* memory, std::size_t) { ::operator delete(memory, kAlignment); }
 };
 
 /// The allocator that Thrust is handed. What it gives back is kept for the next request of that
@@ -57,7 +57,7 @@ class Scratch {
   /// Gives back what is not in use.
   void release() {
     const std::scoped_lock lock(mutex_);
-    for (const auto& [size, memory] : free_) Memory::release(memory);
+    for (const auto& [size, memory] : free_) Memory::release(memory, size);
     free_.clear();
   }
 

@@ -3,6 +3,7 @@
 // written once, for a `System` that has an execution policy, arrays, and a way to read an element.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #ifdef OCTOCELL_THRUST_OPENMP
@@ -16,6 +17,7 @@
 #endif
 
 #include "harness/interface/buffer.hpp"
+#include "harness/interface/clock.hpp"
 #include "harness/interface/sphere.hpp"
 #include "impl_thrust/scratch.cuh"
 
@@ -44,6 +46,7 @@ class HostSystem {
   std::vector<T> read(const T* first, std::uint64_t count) {
     return {first, first + count};
   }
+  std::unique_ptr<StageClock> make_clock(Marks marks) { return std::make_unique<HostClock>(marks); }
   Scratch<HostMemory>& scratch() { return scratch_; }
 
  private:
@@ -83,6 +86,9 @@ class CudaSystem {
     std::vector<T> values(count);
     copy(values.data(), first, count * sizeof(T));
     return values;
+  }
+  std::unique_ptr<StageClock> make_clock(Marks marks) {
+    return std::make_unique<cuda::EventClock>(stream_, marks);
   }
   Scratch<cuda::Memory>& scratch() { return scratch_; }
 

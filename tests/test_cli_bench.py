@@ -18,6 +18,7 @@ from program import Octocell, Refused
 
 ROUNDS = 2
 RUNS = ("cold", "warm", "first_update", "update")  # of a baseline
+DEVICE_RUNS = ("rotated", "graph", "transfers")
 TINY = ("--rounds", ROUNDS, "--benchmark_min_time=0.001")
 BACKEND_STAGES = ["bounds", "cell_ids", "sort", "cell_index", "pair_tests", "resolve"]
 CONTEXT = """date commit dirty version machine compiler flags instruction_set build_type libraries
@@ -25,7 +26,7 @@ preset rounds candidate_limit finished""".split()
 GROUP = "scene n spec real unavailable frames truth".split()
 ROW = """name backend kind method rule scene n threads run exhibit known_faults status reason pairs
 checksum missed false duplicates candidates doubts iterations total_ms stage_ms marked_total_ms
-plan_ms fused peak_bytes output_bytes""".split()
+plan_ms fused peak_bytes device_bytes output_bytes""".split()
 
 Json = dict[str, Any]
 
@@ -81,7 +82,8 @@ def test_every_implementation_has_its_rows(tiny: Json, octocell: Octocell) -> No
             expected |= {(backend, None, None, run) for run in RUNS}
             continue
         method, rule = ("home_phantom", how[1]) if how[0] == "--rule" else (how[1], None)
-        expected |= {(backend, method, rule, run) for run in ("cold", "warm")}
+        runs = ("cold", "warm", *(DEVICE_RUNS if backend == "impl_cuda_custom" else ()))
+        expected |= {(backend, method, rule, run) for run in runs}
     assert rows == expected
     assert Counter(r["name"] for r in tiny["rows"]).most_common(1)[0][1] == 1
 
@@ -133,6 +135,7 @@ def stages_of(row: Json) -> list[str]:
 def test_rows_hold_what_the_schema_says(tiny_runs: list[Json]) -> None:
     for row in tiny_runs:
         assert set(row) == set(ROW), row["name"]
+        assert (row["device_bytes"] is None) == ("cuda" not in row["backend"])
         baseline = row["kind"] == "baseline"
         assert row["kind"] in ("backend", "baseline")
         assert (row["doubts"] is None) == (row["plan_ms"] is None) == baseline
@@ -140,8 +143,9 @@ def test_rows_hold_what_the_schema_says(tiny_runs: list[Json]) -> None:
         assert row["output_bytes"] == 8 * row["pairs"]
         assert row["iterations"] >= 1
         assert row["peak_bytes"] is None or row["peak_bytes"] >= 0
-        assert list(row["stage_ms"]) == stages_of(row)
-        marked = 1 if row["run"] == "cold" else ROUNDS  # runs with stage marks
+        whole_only = row["run"] in ("graph", "transfers")
+        assert list(row["stage_ms"]) == ([] if whole_only else stages_of(row))
+        marked = 0 if whole_only else 1 if row["run"] == "cold" else ROUNDS  # runs with stage marks
         lists = [row["marked_total_ms"], *row["stage_ms"].values()]
         assert all(len(times) == marked and min(times) >= 0 for times in lists), row["name"]
         assert len(row["total_ms"]) == ROUNDS and min(row["total_ms"]) >= 0, row["name"]

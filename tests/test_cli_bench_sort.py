@@ -16,8 +16,8 @@ import pytest
 from program import Octocell, Refused
 
 ROUNDS = 2
-TINY = ("--rounds", ROUNDS, "--threads", 2, "--filter", "n:4096/bits:(8|32)/")
-ROW = """name algorithm n bits order threads stable packed status reason iterations total_ms
+TINY = ("--device", "cpu", "--rounds", ROUNDS, "--threads", 2, "--filter", "n:4096/bits:(8|32)/")
+ROW = """name algorithm device n bits order threads stable packed status reason iterations total_ms
 items_per_second_median""".split()
 SORTS = {  # name: stable, packed, thread counts; the last two may be missing from a build
     "impl_cpu": (True, False, [1, 2]),
@@ -53,6 +53,7 @@ def test_document(tiny: Json) -> None:
     context = tiny["context"]
     assert set(context["libraries"]) == {"boost", "tbb", "highway"}
     assert (context["preset"], context["rounds"], context["finished"]) == ("quick", ROUNDS, True)
+    assert (context["device"], context["gpu"], context["gpu_reason"]) == ("cpu", None, None)
     assert {"date", "commit", "dirty", "machine", "compiler", "flags"} <= set(context)
 
 
@@ -93,11 +94,52 @@ def test_names_are_keys_with_values(tiny: Json) -> None:
 def test_every_input_order_is_sorted_rightly(octocell: Octocell, tmp_path: Path) -> None:
     path = tmp_path / "x.json"
     rows = "n:4096/bits:(12|17|24)/"
-    octocell.ok("bench-sort", "--preset", "full", "--rounds", 1, "--filter", rows, "-o", path)
+    options = ("--device", "cpu", "--preset", "full", "--rounds", 1)
+    octocell.ok("bench-sort", *options, "--filter", rows, "-o", path)
     document = load(path)
     orders = {row["order"] for row in document["rows"]}
     assert orders == {"random", "sorted", "reversed", "constant", "few_distinct"}
     assert {row["status"] for row in document["rows"]} <= {"ok", "skipped"}
+
+
+GPU_SORTS = [
+    *("cuda_one_bit_split", "cuda_digit_passes", "cuda_reduce_then_scan", "cuda_onesweep"),
+    "cub",
+]
+
+
+def test_a_gpu_has_its_rows_or_the_reason_is_given(octocell: Octocell, tmp_path: Path) -> None:
+    path = tmp_path / "x.json"
+    rows = "n:4096/bits:(8|32)/order:random/threads:[01]"
+    result = octocell.ok("bench-sort", "--rounds", 3, "--filter", rows, "-o", path)
+    document = load(path)
+    found = [row for row in document["rows"] if row["device"] == "gpu"]
+    reason = document["context"]["gpu_reason"]
+    if reason is not None:
+        assert f"no rows on a GPU: {reason}" in result.stderr
+        assert document["context"]["gpu"] is None and found == []
+        return
+    assert document["context"]["gpu"]["copy_gigabytes_per_second"] > 0
+    assert [row["algorithm"] for row in found if row["bits"] == 32] == GPU_SORTS
+    for row in found:
+        assert list(row) == ROW
+        assert (row["status"], row["threads"], len(row["total_ms"])) == ("ok", 0, 3)
+
+
+def test_rows_on_a_gpu_alone_need_one(octocell: Octocell, tmp_path: Path) -> None:
+    path = tmp_path / "x.json"
+    rows = "n:4096/bits:32/order:random"
+    octocell.ok("bench-sort", "--rounds", 1, "--filter", rows, "-o", path)
+    reason = load(path)["context"]["gpu_reason"]
+    command = [str(octocell.path), "bench-sort", "--device", "gpu", "--rounds", "1"]
+    command += ["--filter", rows, "-o", str(tmp_path / "y.json")]
+    result = subprocess.run(command, capture_output=True, text=True, check=False)
+    if reason is None:
+        assert result.returncode == 0
+        assert {row["device"] for row in load(tmp_path / "y.json")["rows"]} == {"gpu"}
+        return
+    assert result.returncode == 2 and reason in result.stderr
+    assert not (tmp_path / "y.json").exists()
 
 
 def test_a_comparison_sort_of_a_large_size_says_why_it_was_left_out(
@@ -112,7 +154,8 @@ def test_a_comparison_sort_of_a_large_size_says_why_it_was_left_out(
 
 def test_ctrl_c_keeps_the_whole_cases(octocell: Octocell, tmp_path: Path) -> None:
     path = tmp_path / "x.json"
-    command = [str(octocell.path), "bench-sort", "--rounds", "2", "--threads", "2", "-o", str(path)]
+    options = ["--device", "cpu", "--rounds", "2", "--threads", "2", "-o", str(path)]
+    command = [str(octocell.path), "bench-sort", *options]
     bench = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
     until = time.monotonic() + 30
     while time.monotonic() < until and not (path.exists() and load(path)["rows"]):
@@ -137,6 +180,7 @@ REFUSALS = {
     "threads_many": (["--threads", "100000"], ["--threads 100000"]),
     "bad_filter": (["--filter", "("], ["'('"]),
     "filter_without_rows": (["--filter", "nothing"], ["'nothing'"]),
+    "unknown_device": (["--device", "tpu"], ["'tpu'", "cpu, gpu, all"]),
     "unknown_flag": (["--nothing"], ["--nothing"]),
     "stray_word": (["gas:n=9"], ["gas:n=9"]),
 }

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
-NOT_OURS = {".git", ".venv", ".cache", ".cuda", "data", "out", "__pycache__"}
+NOT_OURS = {".git", ".venv", ".cache", ".cuda", "data", "dist", "out", "__pycache__"}
 CPP = {".cpp", ".hpp", ".cu", ".cuh"}
 SOURCES = CPP | {".py", ".sh"}
 MOST_LINES, MANY_LINES = 500, 350

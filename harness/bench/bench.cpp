@@ -204,7 +204,8 @@ class Bench {
         runner.verify(options_.min_time_ms);
       }
       const bool skipped = runner.result().skipped.has_value();
-      if (options_.memory && !skipped && !group.moves()) {
+      // The host's memory says little of a row on a device: most of it is the driver's.
+      if (options_.memory && !skipped && !group.moves() && !row.how.backend->device) {
         if (!memory.contains(key)) memory[key] = peak_bytes(row, group.argument);
         runner.result().peak_bytes = memory[key];
       }

@@ -31,7 +31,7 @@ bool DynamicRow::plan_holds(const Counts& counts) const {
   return !counts.plan_violation && fits(counts, plan_.capacity, plan_.count_only);
 }
 
-StageTimes DynamicRow::run_frame(std::size_t frame, HostClock& clock) {
+StageTimes DynamicRow::run_frame(std::size_t frame, StageClock& clock) {
   const SceneView scene = subject_.view(frame);
   if (frame > 0) finder_->update(scene);
   finder_->find_pairs(clock);
@@ -39,7 +39,7 @@ StageTimes DynamicRow::run_frame(std::size_t frame, HostClock& clock) {
   const Counts counts = finder_->counts();
   require_under_limit(counts);
   if (plan_holds(counts)) return times;
-  HostClock again(HostClock::Marks::off);
+  HostClock again(Marks::off);
   again.start();
   const Outcome outcome = complete(*finder_, scene, plan_scene(scene, options_), clock);
   plan_ = outcome.plan;
@@ -47,13 +47,13 @@ StageTimes DynamicRow::run_frame(std::size_t frame, HostClock& clock) {
   return times;
 }
 
-std::vector<StageTimes> DynamicRow::play(HostClock::Marks marks) {
+std::vector<StageTimes> DynamicRow::play(Marks marks) {
   plan_ = plan_scene(subject_.view(), options_);
   finder_->upload(plan_, subject_.view());
   std::vector<StageTimes> times;
-  HostClock clock(marks);
+  const std::unique_ptr<StageClock> clock = finder_->make_clock(marks);
   for (std::size_t frame = 0; frame < subject_.frames.size(); ++frame) {
-    times.push_back(run_frame(frame, clock));
+    times.push_back(run_frame(frame, *clock));
     judge(frame);
   }
   return times;
@@ -61,7 +61,8 @@ std::vector<StageTimes> DynamicRow::play(HostClock::Marks marks) {
 
 void DynamicRow::verify_or_throw(double) {
   finder_ = row_.how.backend->create();
-  const std::vector<StageTimes> times = play(HostClock::Marks::on);
+  const std::vector<StageTimes> times = play(Marks::on);
+  record_device_memory();
   result_.counts = finder_->counts();
   for (std::size_t frame = std::min(kWarmupFrames, times.size() - 1); frame < times.size();
        ++frame) {
@@ -73,7 +74,7 @@ void DynamicRow::measure(const std::string& name) {
   std::vector<double> frame_ms;
   average_ms(name, 1, [&] {
     double total_ms = 0.0;
-    for (const StageTimes& times : play(HostClock::Marks::off)) {
+    for (const StageTimes& times : play(Marks::off)) {
       frame_ms.push_back(times.total_ms);
       total_ms += times.total_ms;
     }

@@ -19,8 +19,8 @@ class DynamicRow final : public RowRunner {
  private:
   void verify_or_throw(double min_time_ms) override;
   /// From the first frame to the last; returns the time of each.
-  std::vector<StageTimes> play(HostClock::Marks marks);
-  StageTimes run_frame(std::size_t frame, HostClock& clock);
+  std::vector<StageTimes> play(Marks marks);
+  StageTimes run_frame(std::size_t frame, StageClock& clock);
   bool plan_holds(const Counts& counts) const;
 
   Plan plan_;

@@ -62,6 +62,7 @@ void add_times(Json& json, const Group& group, const RowSpec& row, const RowResu
                       {"frame_ms", result.frame_ms}};
   }
   json["peak_bytes"] = result.peak_bytes ? Json(*result.peak_bytes) : Json();
+  json["device_bytes"] = result.device_bytes ? Json(*result.device_bytes) : Json();
   json["output_bytes"] = result.digest.count * sizeof(Pair);
 }
 

@@ -6,6 +6,7 @@
 #include "harness/bench/dynamic_row.hpp"
 #include "harness/bench/static_row.hpp"
 #include "harness/driver/isolate.hpp"
+#include "harness/interface/device_memory.hpp"
 #include "harness/interface/error.hpp"
 
 namespace octocell::bench {
@@ -19,11 +20,18 @@ RowRunner::RowRunner(const RowSpec& row, const Subject& subject, std::uint64_t c
 void RowRunner::verify(double min_time_ms) {
   try {
     if (const auto reason = row_.how.backend->why_unavailable()) throw LimitError(*reason);
+    device_bytes_before_ = DeviceMemory::in_use();
+    DeviceMemory::forget_peak();
     verify_or_throw(min_time_ms);
   } catch (const LimitError& reason) {
     result_.skipped = reason.what();
     finder_.reset();
   }
+}
+
+void RowRunner::record_device_memory() {
+  if (!row_.how.backend->device) return;
+  result_.device_bytes = DeviceMemory::peak() - device_bytes_before_;
 }
 
 std::optional<std::string> RowRunner::try_apart(std::chrono::duration<double> limit) const {

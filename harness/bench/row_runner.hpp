@@ -37,7 +37,8 @@ struct RowResult {
   std::map<Stage, std::vector<double>> stage_ms;
   std::map<Stage, Stage> fused;
   std::vector<std::vector<double>> frame_ms;  // of a dynamic row: round by round, frame by frame
-  std::optional<std::uint64_t> peak_bytes;
+  std::optional<std::uint64_t> peak_bytes;    // of the host's memory
+  std::optional<std::uint64_t> device_bytes;  // of the device's, at its peak
 
   [[nodiscard]] bool wrong() const { return !skipped && !difference.exact(); }
 };
@@ -68,6 +69,8 @@ class RowRunner {
   /// Throws LimitError where the row cannot be run.
   virtual void verify_or_throw(double min_time_ms) = 0;
 
+  /// To be called once the pairs were found for the first time.
+  void record_device_memory();
   void require_under_limit(const Counts& counts) const;
   /// Compares what the finder holds now with the exact pairs of a frame.
   void judge(std::size_t frame);
@@ -78,6 +81,9 @@ class RowRunner {
   PlanOptions options_;
   std::unique_ptr<PairFinder> finder_;
   RowResult result_;
+
+ private:
+  std::uint64_t device_bytes_before_ = 0;  // held for other rows
 };
 
 std::unique_ptr<RowRunner> make_runner(const RowSpec& row, const Subject& subject,

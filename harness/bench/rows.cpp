@@ -55,6 +55,11 @@ std::vector<RowSpec> rows_of(const Group& group, std::string_view backend,
       rows.push_back({how, threads, Run::cold});
       rows.push_back({how, threads, Run::warm});
     }
+    if (how.backend->has_device_runs && !group.moves()) {
+      for (const Run run : {Run::rotated, Run::graph, Run::transfers}) {
+        rows.push_back({how, 1, run});
+      }
+    }
     if (!how.is_baseline() || group.rows == Rows::fast || group.moves()) continue;
     rows.push_back({how, 1, Run::first_update});
     rows.push_back({how, 1, Run::update});

@@ -13,8 +13,9 @@ class StaticRow final : public RowRunner {
 
  private:
   void verify_or_throw(double min_time_ms) override;
-  StageTimes run_once(HostClock::Marks marks);
-  StageTimes run_cold(HostClock::Marks marks);
+  StageTimes run_once(Marks marks);
+  StageTimes run_cold(Marks marks);
+  StageTimes run_warm(Marks marks);
   void build_untimed();
 };
 

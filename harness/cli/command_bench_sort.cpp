@@ -13,6 +13,7 @@ void add_bench_sort(CLI::App& app, Command& command) {
   CLI::App* sub = app.add_subcommand("bench-sort", "Time our radix sort beside other sorts");
   sub->add_option("--preset", o->preset, "quick (a minute, default) or full (an hour)");
   sub->add_option("--rounds", o->rounds, "Rounds of each case")->check(CLI::Range(1, 1000000));
+  sub->add_option("--device", o->device, "Rows on cpu, gpu or all (default)");
   sub->add_option("--threads", *threads,
                   "Threads of the rows with more than one; 0 for all (default)");
   sub->add_option("--filter", o->filter, "Only rows whose names match (regular expression)");

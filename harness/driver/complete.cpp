@@ -30,13 +30,13 @@ Plan plan_scene(SceneView scene, const PlanOptions& options) {
 }
 
 Outcome find_completely(PairFinder& finder, SceneView scene, const PlanOptions& options) {
-  HostClock planning(HostClock::Marks::off);
+  HostClock planning(Marks::off);
   planning.start();
   const Plan plan = plan_scene(scene, options);
   const double plan_ms = planning.stop().total_ms;
 
-  HostClock clock;
-  Outcome outcome = complete(finder, scene, plan, clock);
+  const std::unique_ptr<StageClock> clock = finder.make_clock(Marks::on);
+  Outcome outcome = complete(finder, scene, plan, *clock);
   outcome.plan_ms = plan_ms;
   return outcome;
 }

@@ -12,6 +12,22 @@
 
 namespace octocell {
 
+/// What a finder on a device can do besides. Each call follows an upload() whose find_pairs() was
+/// complete, has ended when it returns, and leaves the pairs where digest() and download() look.
+class DeviceRuns {
+ public:
+  virtual ~DeviceRuns() = default;
+
+  /// Untimed: pushes the scene and the work buffers out of the device's cache.
+  virtual void flush_cache() = 0;
+
+  /// All stages, recorded once as one graph and replayed; milliseconds on the device.
+  virtual double replay_ms() = 0;
+
+  /// Spheres from pinned host memory, all stages, pairs back to pinned memory; milliseconds.
+  virtual double transfers_ms() = 0;
+};
+
 /// Calls come in this order: upload, find_pairs (any number of times), counts, then download or
 /// digest. update may replace the spheres between two find_pairs.
 class PairFinder {
@@ -28,6 +44,12 @@ class PairFinder {
   /// Timed: no allocation of ours, no printing, no wait for the host.
   virtual void find_pairs(StageClock& clock) = 0;
 
+  /// A clock that can time find_pairs(): the host's, or one of the device's. It must not outlive
+  /// the finder.
+  virtual std::unique_ptr<StageClock> make_clock(Marks marks) {
+    return std::make_unique<HostClock>(marks);
+  }
+
   /// Untimed: waits, and says what was met and what was too small.
   virtual Counts counts() = 0;
 
@@ -36,6 +58,9 @@ class PairFinder {
 
   /// Untimed: count and checksum, wherever the pairs are. Works for count_only plans too.
   virtual PairDigest digest() = 0;
+
+  /// What else it can do on its device; none: it runs on the host, or offers no more.
+  virtual DeviceRuns* device_runs() { return nullptr; }
 };
 
 /// The stages of our own backends. Their order is written here and nowhere else.

@@ -17,6 +17,9 @@ struct StageTimes {
   std::array<std::optional<Stage>, kStageCount> fused_into = {};
 };
 
+/// Whether a clock takes the time of each stage, or of the whole only.
+enum class Marks : bool { off, on };
+
 /// Marks the ends of stages. The base class times nothing but the total.
 class StageClock {
  public:
@@ -32,7 +35,6 @@ class StageClock {
 /// Wall-clock time of the host.
 class HostClock final : public StageClock {
  public:
-  enum class Marks : bool { off, on };
   explicit HostClock(Marks marks = Marks::on) : marks_(marks) {}
   using StageClock::mark;
 

@@ -10,10 +10,6 @@
 namespace octocell {
 namespace {
 
-// Measured on one CPU (docs/decisions/0004-cell-size.md); only their ratios matter.
-constexpr double kNsPerId = 17.0;
-constexpr double kNsPerIdAndPass = 2.2;
-constexpr double kNsPerCandidate = 0.4;
 constexpr double kStep = 1.189207115002721;  // 2^(1/4)
 constexpr int kMaxSteps = 160;
 
@@ -103,7 +99,7 @@ SideRange sides_worth_trying(const SceneStats& stats) {
 
 }  // namespace
 
-WorkEstimate estimate_work(const SceneStats& stats, const Grid& grid) {
+WorkEstimate estimate_work(const SceneStats& stats, const Grid& grid, const Costs& costs) {
   WorkEstimate work;
   if (stats.facts.sphere_count == 0) return work;
   const auto count = static_cast<double>(stats.facts.sphere_count);
@@ -112,21 +108,21 @@ WorkEstimate estimate_work(const SceneStats& stats, const Grid& grid) {
   const double uniform = work.ids * work.ids / 2.0 / std::ldexp(1.0, grid.key_bits);
   work.candidates = std::max(uniform, home_pairs_by_sample(stats, grid) * spread * spread);
   const double passes = std::ceil(grid.key_bits / 8.0);
-  work.cost_ns =
-      work.ids * (kNsPerId + kNsPerIdAndPass * passes) + work.candidates * kNsPerCandidate;
+  work.cost_ns = work.ids * (costs.per_id + costs.per_id_and_pass * passes) +
+                 work.candidates * costs.per_candidate;
   return work;
 }
 
-Grid cheapest_grid(const SceneStats& stats) {
+Grid cheapest_grid(const SceneStats& stats, const Costs& costs) {
   const SideRange range = sides_worth_trying(stats);
   const double widest = widest_box(stats.facts, stats.facts.r_max);
   const double step =
       std::max(kStep, std::pow(range.largest / range.smallest, 1.0 / (kMaxSteps - 1)));
   Grid best = make_grid(stats.facts, range.smallest, widest);
-  double best_cost = estimate_work(stats, best).cost_ns;
+  double best_cost = estimate_work(stats, best, costs).cost_ns;
   for (double side = range.smallest * step; side <= range.largest * step; side *= step) {
     const Grid grid = make_grid(stats.facts, side, widest);
-    const double cost = estimate_work(stats, grid).cost_ns;
+    const double cost = estimate_work(stats, grid, costs).cost_ns;
     if (cost >= best_cost) continue;
     best = grid;
     best_cost = cost;

@@ -30,10 +30,11 @@ Grid choose_grid(const SceneStats& stats, const PlanOptions& options) {
   const float r_max = stats.facts.r_max;
   switch (options.rule) {
     case Rule::lowest_cell:
-      if (!options.cell_side) return cheapest_grid(stats);
+      if (!options.cell_side) return cheapest_grid(stats, options.costs);
       return make_grid(stats.facts, *options.cell_side, widest_box(stats.facts, r_max));
     case Rule::chapter32:
-      if (r_max == 0.0F) return cheapest_grid(stats);  // no phantoms: any cells will do
+      if (r_max == 0.0F)
+        return cheapest_grid(stats, options.costs);  // no phantoms: any cells will do
       require_chapter32(stats.facts);
       return make_grid(stats.facts, chapter32::cell_side(r_max),
                        widest_box(stats.facts, chapter32::reach(r_max)));

@@ -10,6 +10,14 @@
 
 namespace octocell {
 
+/// What work costs on the machine that will do it, in nanoseconds; only the ratios matter.
+/// The defaults are one CPU's (docs/decisions/0004-cell-size.md).
+struct Costs {
+  double per_id = 17.0;          // to make it, and to look at it in stages 4 and 5
+  double per_id_and_pass = 2.2;  // to sort it by 8 bits
+  double per_candidate = 0.4;
+};
+
 /// What a caller may fix; the planner decides the rest.
 struct PlanOptions {
   Method method = Method::home_phantom;
@@ -18,8 +26,9 @@ struct PlanOptions {
   bool count_only = false;
   std::uint64_t candidate_limit = ~std::uint64_t{0};
   std::optional<double> cell_side = {};  // scene units; only rule lowest_cell is free to choose
-  bool moving = false;  // plan for a box a little larger than the spheres fill now
+  bool moving = false;                   // plan for a box a little larger than the spheres fill now
   bool buffers_only = false;             // for baselines, which make their own plans
+  Costs costs = {};                      // rule lowest_cell picks the cells that cost least
 };
 
 /// Throws LimitError where the rule's conditions do not hold for this scene, with the reason, and
@@ -54,9 +63,9 @@ struct WorkEstimate {
   double candidates = 0.0;
   double cost_ns = 0.0;
 };
-WorkEstimate estimate_work(const SceneStats& stats, const Grid& grid);
+WorkEstimate estimate_work(const SceneStats& stats, const Grid& grid, const Costs& costs = {});
 
 /// The grid with the least expected work for rule lowest_cell, which is correct for any cell side.
-Grid cheapest_grid(const SceneStats& stats);
+Grid cheapest_grid(const SceneStats& stats, const Costs& costs = {});
 
 }  // namespace octocell

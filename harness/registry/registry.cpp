@@ -10,10 +10,14 @@
 #include "baselines/baselines.hpp"
 #include "harness/interface/error.hpp"
 #include "impl_cpu/backend.hpp"
+#include "impl_cuda_custom/backend.hpp"
 #include "impl_thrust/backend.hpp"
 
 namespace octocell {
 namespace {
+
+/// Estimated from an H100's 3 TB/s, and still to be measured.
+constexpr Costs kDeviceCosts = {.per_id = 0.02, .per_id_and_pass = 0.02, .per_candidate = 0.004};
 
 constexpr std::array kAllMethods = {Method::home_phantom, Method::brute_force};
 
@@ -58,7 +62,19 @@ constexpr std::array kBackends = {
                 .methods = kAllMethods,
                 .threaded = false,
                 .why_unavailable = on_thrust::why_no_cuda,
-                .create = on_thrust::make_cuda_backend},
+                .create = on_thrust::make_cuda_backend,
+                .device = true,
+                .costs = kDeviceCosts},
+    BackendInfo{.name = "impl_cuda_custom",
+                .kind = Kind::backend,
+                .summary = "uniform grid and radix sort, kernels of our own (CUDA)",
+                .methods = kAllMethods,
+                .threaded = false,
+                .why_unavailable = cuda_custom::why_unavailable,
+                .create = cuda_custom::make_backend,
+                .device = true,
+                .has_device_runs = true,
+                .costs = kDeviceCosts},
     baseline("fcl_dynamic_aabb_tree", "FCL DynamicAABBTree, as it comes",
              baselines::make_fcl_dynamic_aabb_tree),
     baseline("fcl_dynamic_aabb_tree_morton", "FCL DynamicAABBTree, tree_init_level = 1",
@@ -102,7 +118,11 @@ const BackendInfo& backend_named(std::string_view name) {
 }
 
 PlanOptions Implementation::plan_options(int threads) const {
-  return {.method = method, .rule = rule, .threads = threads, .buffers_only = is_baseline()};
+  return {.method = method,
+          .rule = rule,
+          .threads = threads,
+          .buffers_only = is_baseline(),
+          .costs = backend->costs};
 }
 
 std::string Implementation::label() const {

@@ -26,6 +26,12 @@ struct BackendInfo {
   /// Nothing if it can run here, else why not.
   std::optional<std::string> (*why_unavailable)();
   std::unique_ptr<PairFinder> (*create)();
+  /// It computes on a device, with memory of its own.
+  bool device = false;
+  /// It has device_runs().
+  bool has_device_runs = false;
+  /// What the planner weighs cells by.
+  Costs costs = {};
   /// Why its answers can lack pairs although it is driven as it should be; empty if they cannot.
   std::string_view known_faults = {};
 };

@@ -30,7 +30,9 @@ from octocell_report.fields import (
 from octocell_report.motion import Motion, motion_of
 
 SCHEMA = 1
-RUNS = ("cold", "warm", "first_update", "update", "dynamic")
+RUNS = (
+    "cold", "warm", "rotated", "graph", "transfers", "first_update", "update", "dynamic"
+)
 STATUSES = ("ok", "wrong", "skipped")
 KINDS = ("backend", "baseline")
 # In the order in which they run; the JSON may hold them in any.

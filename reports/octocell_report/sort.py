@@ -28,11 +28,12 @@ from octocell_report.fields import (
 
 SCHEMA, KIND = 1, "sort"
 STATUSES = ("ok", "wrong", "skipped")
+DEVICES = ("cpu", "gpu")
 ORDERS = ("random", "sorted", "reversed", "constant", "few_distinct")
 
 
 class Sort(NamedTuple):
-    """What is compared: an algorithm and its number of threads."""
+    """What is compared: an algorithm and its number of threads (0 on a GPU)."""
 
     algorithm: str
     threads: int
@@ -42,6 +43,7 @@ class Sort(NamedTuple):
 class SortRow:
     name: str
     sort: Sort
+    device: str
     n: int
     bits: int
     order: str
@@ -65,6 +67,10 @@ class SortResult:
     @property
     def sorts(self) -> list[Sort]:
         return list(dict.fromkeys(row.sort for row in self.rows))
+
+    def on(self, device: str) -> SortResult:
+        """The rows of one device."""
+        return SortResult(self.context, [row for row in self.rows if row.device == device])
 
     @property
     def wrong(self) -> list[SortRow]:
@@ -126,6 +132,7 @@ def _row(item: Any, index: int) -> SortRow:
     return SortRow(
         name=name,
         sort=Sort(fields.take("algorithm", is_text), fields.take("threads", is_whole)),
+        device=fields.take("device", one_of(*DEVICES)),
         n=fields.take("n", is_whole),
         bits=fields.take("bits", is_whole),
         order=fields.take("order", is_text),
@@ -141,7 +148,8 @@ def frame(result: SortResult) -> pd.DataFrame:
     """Every row: plain numbers, nothing rounded; no time where the status is not ok."""
     return pd.DataFrame(
         {
-            **{"algorithm": row.sort.algorithm, "threads": row.sort.threads},
+            **{"algorithm": row.sort.algorithm, "device": row.device},
+            **{"threads": row.sort.threads},
             **{"n": row.n, "bits": row.bits, "order": row.order},
             **{"stable": row.stable, "packed": row.packed},
             **{"status": row.status, "reason": row.reason, "rounds": len(row.total_ms)},

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The sorts against each other: by number of pairs, and by the order that the pairs come in."""
+"""The sorts against each other, on the host and on the device: by number of pairs, by width of the
+key, and by the order that the pairs come in."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
@@ -16,7 +18,12 @@ from octocell_report import style, words
 from octocell_report.files import staged_folder
 from octocell_report.sort import ORDERS, Sort, SortResult, SortRow, frame
 
-NAMES = ("sort_by_size.png", "sort_by_order.png", "sort.csv")
+TABLE = "sort.csv"
+NAMES = (
+    *("sort_by_size.png", "sort_by_order.png"),
+    *("sort_gpu_by_size.png", "sort_gpu_by_bits.png", "sort_gpu_by_order.png"),
+    TABLE,
+)
 
 _TITLES = {
     "impl_cpu": "Octocell radix sort",
@@ -25,6 +32,11 @@ _TITLES = {
     "tbb_parallel_sort": "TBB parallel_sort",
     "highway_vqsort": "Highway vqsort",
     "boost_spreadsort": "Boost spreadsort",
+    "cuda_one_bit_split": "1 one-bit split",
+    "cuda_digit_passes": "2 digit passes",
+    "cuda_reduce_then_scan": "3 reduce then scan",
+    "cuda_onesweep": "4 onesweep",
+    "cub": "CUB",
 }
 _COLOURS = (
     *(style.BLUE, style.VERMILLION, style.ORANGE, style.PURPLE, style.GREEN, style.BLACK),
@@ -36,17 +48,25 @@ _COLUMNS = 4  # of facets
 
 def build(result: SortResult, folder: Path) -> list[str]:
     """Writes the figures that have something to show, and the table; returns their names."""
+    host, device = result.on("cpu"), result.on("gpu")
+    figures: dict[str, Callable[[], Figure | None]] = {
+        "sort_by_size.png": lambda: draw_by_size(host),
+        "sort_by_order.png": lambda: draw_by_order(host),
+        "sort_gpu_by_size.png": lambda: draw_by_size(device),
+        "sort_gpu_by_bits.png": lambda: draw_by_bits(device),
+        "sort_gpu_by_order.png": lambda: draw_by_order(device),
+    }
     names = []
     with staged_folder(folder, set(NAMES)) as staging, plt.rc_context(style.RC):
-        for name, draw in zip(NAMES, (draw_by_size, draw_by_order), strict=False):
-            figure = draw(result)
+        for name, draw in figures.items():
+            figure = draw()
             if figure is None:
                 continue
             figure.savefig(staging / name, dpi=style.DPI)
             plt.close(figure)
             names.append(name)
-        frame(result).convert_dtypes().to_csv(staging / NAMES[2], index=False)
-    return [*names, NAMES[2]]
+        frame(result).convert_dtypes().to_csv(staging / TABLE, index=False)
+    return [*names, TABLE]
 
 
 @dataclass(frozen=True)
@@ -66,18 +86,22 @@ def _looks(result: SortResult) -> dict[Sort, _Look]:
         label = _TITLES.get(sort.algorithm, sort.algorithm)
         if sort.threads > 1:
             label += f", {sort.threads} threads"
-        line = "-" if sort.threads == 1 else "--"
+        line = "--" if sort.threads > 1 else "-"
         found[sort] = _Look(label, _COLOURS[place], _MARKERS[place], line)
     return found
 
 
 def _face(sort: Sort, look: _Look) -> str:
-    return look.colour if sort.threads == 1 else "white"
+    return "white" if sort.threads > 1 else look.colour
 
 
 def draw_by_size(result: SortResult) -> Figure | None:
-    """One facet per key width, random order; None if nothing was timed there."""
-    shown = sorted({row.bits for row in result.timed(order="random")})
+    """One facet per key width that was timed at most sizes, random order; None if nothing was."""
+    sizes_of: dict[int, set[int]] = {}
+    for row in result.timed(order="random"):
+        sizes_of.setdefault(row.bits, set()).add(row.n)
+    most = max(map(len, sizes_of.values()), default=0)
+    shown = sorted(bits for bits, met in sizes_of.items() if len(met) == most or len(met) > 1)
     if not shown:
         return None
     figure, axes = _facets(len(shown))
@@ -97,6 +121,35 @@ def draw_by_size(result: SortResult) -> Figure | None:
         result,
         "Sorting pairs (32-bit key, 32-bit value), random order; higher is better\n"
         "lines: median of the rounds; bands: slowest to fastest round",
+    )
+    return figure
+
+
+def draw_by_bits(result: SortResult) -> Figure | None:
+    """The largest size that was timed at most widths, random order; None if there is but one."""
+    widths_of: dict[int, set[int]] = {}
+    for row in result.timed(order="random"):
+        widths_of.setdefault(row.n, set()).add(row.bits)
+    most = max(map(len, widths_of.values()), default=0)
+    if most < 2:
+        return None
+    size = max(n for n, met in widths_of.items() if len(met) == most)
+    figure, axes = _facets(1)
+    ax = axes[0]
+    rows = sorted(result.timed(order="random", n=size), key=lambda row: row.bits)
+    for sort, look in _looks(result).items():
+        _line(ax, sort, look, [row for row in rows if row.sort == sort], lambda row: row.bits)
+    ax.xaxis.set_major_locator(FixedLocator(sorted(widths_of[size])))
+    ax.set_xlabel("bits of the key")
+    _rate_axis(ax)
+    _say_wrong(ax, [r for r in result.wrong if r.n == size and r.order == "random"])
+    ax.set_ylabel("10⁹ pairs a second")
+    _finish(
+        figure,
+        axes,
+        result,
+        f"Sorting {_power(size)} pairs (32-bit key, 32-bit value) by the width of the key, random "
+        "order; higher is better\nlines: median of the rounds; bands: slowest to fastest round",
     )
     return figure
 
@@ -150,12 +203,18 @@ def _facets(count: int) -> tuple[Figure, list[Axes]]:
     return figure, axes[:count]
 
 
-def _line(ax: Axes, sort: Sort, look: _Look, rows: list[SortRow]) -> None:
+def _line(
+    ax: Axes,
+    sort: Sort,
+    look: _Look,
+    rows: list[SortRow],
+    place: Callable[[SortRow], int] = lambda row: row.n,
+) -> None:
     if not rows:
         return
-    sizes = [row.n for row in rows]
+    places = [place(row) for row in rows]
     ax.fill_between(
-        sizes,
+        places,
         [min(row.rates) for row in rows],
         [max(row.rates) for row in rows],
         color=look.colour,
@@ -163,7 +222,7 @@ def _line(ax: Axes, sort: Sort, look: _Look, rows: list[SortRow]) -> None:
         linewidth=0,
     )
     ax.plot(
-        sizes,
+        places,
         [median(row.rates) for row in rows],
         color=look.colour,
         linestyle=look.line,
@@ -255,7 +314,6 @@ def _finish(figure: Figure, axes: list[Axes], result: SortResult, title: str) ->
 
 def _footnote(result: SortResult) -> str:
     context = result.context
-    machine = context["machine"]
     commit = context["commit"][:12] + (", uncommitted changes" if context["dirty"] else "")
     unfinished = "" if context["finished"] else "; INTERRUPTED: not all rows were run"
     skips: dict[str, dict[str, None]] = {}
@@ -263,11 +321,28 @@ def _footnote(result: SortResult) -> str:
         if row.status == "skipped":
             title = _TITLES.get(row.sort.algorithm, row.sort.algorithm)
             skips.setdefault(row.reason or "", {})[title] = None
+    where, how = _conditions(result)
     lines = [
-        f"{machine['cpu']}, {machine['cores']} cores; {context['compiler']}; commit {commit}; "
-        f"{context['date'][:10]}{unfinished}",
-        "all but our radix sort: keys and values packed into 64-bit numbers and unpacked again, "
-        "inside the time",
+        f"{where}; commit {commit}; {context['date'][:10]}{unfinished}",
+        how,
         *(f"left out: {', '.join(titles)}: {reason}" for reason, titles in skips.items()),
     ]
     return "\n".join(lines)
+
+
+def _conditions(result: SortResult) -> tuple[str, str]:
+    """On what it was measured, and what is to be known of the times."""
+    if all(row.device == "gpu" for row in result.rows):
+        gpu = result.context["gpu"]
+        copied = gpu["copy_gigabytes_per_second"]
+        return (
+            f"{gpu['name']}, copies {words.grouped(copied)} GB/s (read and written)",
+            "time on the device, between two events; input restored and answers checked outside; "
+            "CUB is told the number of pairs, ours read it on the device",
+        )
+    machine = result.context["machine"]
+    return (
+        f"{machine['cpu']}, {machine['cores']} cores; {result.context['compiler']}",
+        "all but our radix sort: keys and values packed into 64-bit numbers and unpacked again, "
+        "inside the time",
+    )

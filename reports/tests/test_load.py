@@ -78,7 +78,7 @@ def test_a_context_that_lacks_a_field_is_named(field):
     [
         ({"n": "many"}, "field 'n' is \"many\", not a whole number"),
         ({"threads": True}, "field 'threads' is true"),
-        ({"run": "hot"}, "one of cold, warm, first_update, update"),
+        ({"run": "hot"}, "one of cold, warm, rotated, graph, transfers, first_update, update"),
         ({"total_ms": []}, "has no round"),
         ({"total_ms": [1.0, float("nan")]}, "not a list of times"),
         ({"total_ms": [-1.0]}, "not a list of times"),

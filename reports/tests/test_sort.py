@@ -16,7 +16,7 @@ from synthetic import Json
 
 def row(algorithm: str = "impl_cpu", **changes: object) -> Json:
     known: Json = {
-        "algorithm": algorithm, "n": 4096, "bits": 8, "order": "random", "threads": 1,
+        "algorithm": algorithm, "device": "cpu", "n": 4096, "bits": 8, "order": "random", "threads": 1,
         "stable": True, "packed": algorithm != "impl_cpu", "status": "ok", "reason": None,
         "iterations": 9, "total_ms": [1.0, 4.0, 2.0], "items_per_second_median": 2048e3,
     }  # fmt: skip
@@ -25,6 +25,27 @@ def row(algorithm: str = "impl_cpu", **changes: object) -> Json:
         known |= {"total_ms": [], "items_per_second_median": None}
     keys = ("algorithm", "n", "bits", "order", "threads")
     return {"name": "sort/" + "/".join(f"{key}:{known[key]}" for key in keys), **known}
+
+
+LADDER = ("cuda_one_bit_split", "cuda_digit_passes", "cuda_reduce_then_scan", "cuda_onesweep",
+          "cub")  # fmt: skip
+
+
+def gpu_row(algorithm: str, **changes: object) -> Json:
+    return row(algorithm, **({"device": "gpu", "threads": 0, "packed": False} | changes))
+
+
+def gpu_cases() -> Json:
+    """Two widths over two sizes, a third at the larger, two orders there."""
+    rows = [
+        gpu_row(name, n=n, bits=bits, total_ms=[n * cost * bits, n * cost * bits * 1.1])
+        for name, cost in zip(LADDER, (1e-7, 5e-8, 2e-8, 1e-8, 1.1e-8), strict=True)
+        for n, bits in ((1 << 20, 20), (1 << 20, 32), (1 << 24, 20), (1 << 24, 32), (1 << 24, 8))
+    ]
+    rows += [gpu_row(name, n=1 << 24, bits=20, order="sorted") for name in LADDER[2:]]
+    result = document(*rows)
+    gpu = {"name": "Example GPU 100", "copy_gigabytes_per_second": 2900.4}
+    return result | {"context": result["context"] | {"gpu": gpu, "gpu_reason": None}}
 
 
 def document(*rows: Json) -> Json:
@@ -41,8 +62,13 @@ def every_case() -> Json:
     rows += [row(n=n, threads=2, bits=8) for n in (4096, 16384)]
     rows += [row(n=16384, bits=8, order=order) for order in ("sorted", "few_distinct")]
     rows += [row("std_sort", n=16384, order="sorted", status="wrong", reason="not sorted: key 1")]
+    rows += gpu_cases()["rows"]
     rows += [row("highway_vqsort", status="skipped", reason="built without a Highway")]
-    return document(*rows)
+    return document(*rows) | {"context": gpu_cases()["context"]}
+
+
+def on_host() -> sort.SortResult:
+    return sort.parse(every_case()).on("cpu")
 
 
 def test_figures_and_a_table_of_every_row(save, tmp_path: Path, capsys):
@@ -67,7 +93,7 @@ def facets(figure):
 
 
 def test_a_facet_for_each_width_and_a_line_for_each_sort():
-    figure = sort_figures.draw_by_size(sort.parse(every_case()))
+    figure = sort_figures.draw_by_size(on_host())
     assert list(facets(figure)) == ["8-bit keys", "32-bit keys"]
     labels = [text.get_text() for text in figure.legends[0].get_texts()]
     assert labels == ["Octocell radix sort", "std::sort", "newcomer",
@@ -79,10 +105,34 @@ def test_a_facet_for_each_width_and_a_line_for_each_sort():
 
 
 def test_a_wrong_sort_is_named_and_has_no_mark():
-    figure = sort_figures.draw_by_order(sort.parse(every_case()))
+    figure = sort_figures.draw_by_order(on_host())
     (ax,) = facets(figure).values()
     assert any(text.get_text() == "WRONG: std::sort" for text in ax.texts)
     assert "2¹⁴" in figure.get_suptitle()
+
+
+LADDER_LABELS = ["1 one-bit split", "2 digit passes", "3 reduce then scan", "4 onesweep", "CUB"]
+
+
+def test_the_ladder_over_sizes_beside_cub():
+    figure = sort_figures.draw_by_size(sort.parse(every_case()).on("gpu"))
+    assert list(facets(figure)) == ["20-bit keys", "32-bit keys"]  # 8 bits have but one size
+    assert [text.get_text() for text in figure.legends[0].get_texts()] == LADDER_LABELS
+    note = figure.legends[0].get_title().get_text()
+    assert "Example GPU 100, copies 2\u202f900 GB/s" in note and "packed" not in note
+
+
+def test_the_ladder_over_widths_at_the_size_with_most():
+    figure = sort_figures.draw_by_bits(sort.parse(every_case()).on("gpu"))
+    (ax,) = facets(figure).values()
+    lines = [line for line in ax.lines if len(line.get_xdata()) == 3]
+    assert len(lines) == len(LADDER) and list(lines[0].get_xdata()) == [8, 20, 32]
+    assert "2²⁴" in figure.get_suptitle()
+
+
+def test_rows_of_a_gpu_alone_need_no_rows_of_the_host(tmp_path: Path):
+    names = sort_figures.build(sort.parse(gpu_cases()), tmp_path / "out")
+    assert names == [name for name in sort_figures.NAMES if "gpu" in name or name == "sort.csv"]
 
 
 def test_nothing_timed_is_a_table_alone(tmp_path: Path):
@@ -98,6 +148,7 @@ BROKEN = {
     "ok without a time": ({"rows": [row(total_ms=[])]}, "says ok"),
     "wrong with a time": ({"rows": [row() | {"status": "wrong"}]}, "says wrong, but has a time"),
     "skipped without a reason": ({"rows": [row(status="skipped")]}, "'reason'"),
+    "an unknown device": ({"rows": [row(device="tpu")]}, "'device'"),
     "no bits": ({"rows": [{k: v for k, v in row().items() if k != "bits"}]}, "'bits'"),
 }
 

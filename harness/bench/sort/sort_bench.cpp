@@ -13,6 +13,7 @@
 #include "harness/bench/machine.hpp"
 #include "harness/bench/progress.hpp"
 #include "harness/bench/result_file.hpp"
+#include "harness/bench/sort/gpu_rows.hpp"
 #include "harness/bench/sort/sort_rows.hpp"
 #include "harness/interface/error.hpp"
 
@@ -22,6 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kSchema = 1;
+constexpr int kGpuRounds = 21;
 constexpr int kExitWrongAnswer = 1;
 constexpr int kExitInterrupted = 130;
 constexpr double kMinTimeMs = 3.0;  // a measurement repeats short sorts for at least this long
@@ -35,16 +37,24 @@ struct PlannedCase {
   std::vector<SortRow> rows;
 };
 
-/// Everything that the options ask for. What is wrong with them is said here, before a file is
-/// touched.
-std::vector<PlannedCase> plan_cases(const SortBenchOptions& options) {
-  std::regex filter;
+/// The same on the device: places in gpu_algorithms().
+struct PlannedGpuCase {
+  SortCase what;
+  std::vector<std::size_t> algorithms;
+};
+
+std::regex filter_of(const SortBenchOptions& options) {
   try {
-    filter = std::regex(options.filter, std::regex::extended);
+    return std::regex(options.filter, std::regex::extended);
   } catch (const std::regex_error&) {
     throw InputError(fmt::format("filter '{}': not a regular expression", options.filter));
   }
+}
+
+std::vector<PlannedCase> plan_cases(const SortBenchOptions& options) {
   std::vector<PlannedCase> planned;
+  if (options.device == "gpu") return planned;
+  const std::regex filter = filter_of(options);
   for (const SortCase& what : sort_cases(options.preset)) {
     PlannedCase next = {what, sort_rows(options.threads)};
     std::erase_if(next.rows, [&](const SortRow& row) {
@@ -52,8 +62,33 @@ std::vector<PlannedCase> plan_cases(const SortBenchOptions& options) {
     });
     if (!next.rows.empty()) planned.push_back(std::move(next));
   }
-  if (planned.empty()) throw InputError(fmt::format("no row matches '{}'", options.filter));
   return planned;
+}
+
+std::vector<PlannedGpuCase> plan_gpu_cases(const SortBenchOptions& options) {
+  std::vector<PlannedGpuCase> planned;
+  if (options.device == "cpu") return planned;
+  if (const auto reason = why_no_gpu()) {
+    if (options.device == "gpu") throw LimitError(fmt::format("--device gpu: {}", *reason));
+    return planned;
+  }
+  const std::regex filter = filter_of(options);
+  for (const SortCase& what : gpu_sort_cases(options.preset)) {
+    PlannedGpuCase next = {what, {}};
+    for (std::size_t a = 0; a < gpu_algorithms().size(); ++a) {
+      if (std::regex_search(gpu_row_name(a, what), filter)) next.algorithms.push_back(a);
+    }
+    if (!next.algorithms.empty()) planned.push_back(std::move(next));
+  }
+  return planned;
+}
+
+/// What is wrong with the options is said here, before a file is touched.
+void require_sound(const SortBenchOptions& options) {
+  for (const std::string_view known : {"cpu", "gpu", "all"}) {
+    if (options.device == known) return;
+  }
+  throw InputError(fmt::format("unknown device '{}'; known: cpu, gpu, all", options.device));
 }
 
 /// Input, two pairs of arrays, one packed array, and what std::stable_sort asks for.
@@ -62,6 +97,7 @@ constexpr double kBytesPerPair = 40.0;
 /// Throws LimitError here and now, instead of leaving the matter to the kernel, which would end
 /// the program in the middle. Says nothing where /proc/meminfo does not tell.
 void require_memory(const std::vector<PlannedCase>& cases) {
+  if (cases.empty()) return;
   constexpr double kGiB = 1073741824.0;
   const double needed = kBytesPerPair * cases.back().what.n;  // the largest comes last
   std::ifstream meminfo("/proc/meminfo");
@@ -93,13 +129,18 @@ class SortBench {
   explicit SortBench(const SortBenchOptions& options)
       : options_(options),
         rounds_(options.rounds.value_or(options.preset == "full" ? 5 : 3)),
-        cases_(plan_cases(options)),
+        cases_((require_sound(options), plan_cases(options))),
+        gpu_cases_(plan_gpu_cases(options)),
         file_(options.output),
         document_({{"schema", kSchema},
                    {"kind", "sort"},
                    {"context", context()},
                    {"rows", Json::array()}}),
-        progress_(steps()) {}
+        progress_(steps()) {
+    if (cases_.empty() && gpu_cases_.empty()) {
+      throw InputError(fmt::format("no row matches '{}'", options.filter));
+    }
+  }
 
   int run() {
     require_memory(cases_);
@@ -111,6 +152,7 @@ class SortBench {
       if (interrupted()) break;
       file_.write(document_);
     }
+    run_gpu_cases();
     return finish();
   }
 
@@ -121,13 +163,32 @@ class SortBench {
     for (const auto& [name, version] : sort_libraries()) {
       context["libraries"][std::string(name)] = version ? Json(*version) : Json();
     }
+    describe_device(context);
     context["preset"] = options_.preset;
+    context["device"] = options_.device;
     context["filter"] = options_.filter;
     context["rounds"] = rounds_;
+    context["gpu_rounds"] = gpu_rounds();
     context["min_time_ms"] = kMinTimeMs;
     context["finished"] = false;
     return context;
   }
+
+  /// "gpu" is null where no row runs on one, and "gpu_reason" says why if nobody asked for that.
+  void describe_device(Json& context) const {
+    context["gpu"] = Json();
+    context["gpu_reason"] = Json();
+    if (!gpu_cases_.empty()) {
+      const GpuDescription gpu = describe_gpu();
+      context["gpu"] = {{"name", gpu.name},
+                        {"copy_gigabytes_per_second", gpu.copy_gigabytes_per_second}};
+      context["libraries"]["cub"] = gpu.cub_version;
+    } else if (const auto reason = why_no_gpu(); reason && options_.device == "all") {
+      context["gpu_reason"] = *reason;
+    }
+  }
+
+  [[nodiscard]] int gpu_rounds() const { return options_.rounds.value_or(kGpuRounds); }
 
   [[nodiscard]] std::vector<Progress::Step> steps() const {
     std::vector<Progress::Step> steps;
@@ -137,6 +198,9 @@ class SortBench {
         const double pairs = why_skipped(row, what) ? 0.0 : std::max(what.n, 1u << 17);
         steps.push_back({label(row), pairs * kSpheresPerPair, 1.0 + rounds_});
       }
+    }
+    for (const PlannedGpuCase& planned : gpu_cases_) {
+      steps.push_back({"gpu", planned.what.n * kSpheresPerPair, 1.0});
     }
     return steps;
   }
@@ -161,6 +225,34 @@ class SortBench {
       any_wrong_ = any_wrong_ || row.runner.wrong();
       document_["rows"].push_back(row.runner.json());
     }
+  }
+
+  /// After the others, so that the device's threads and copies disturb none of them.
+  void run_gpu_cases() {
+    const Json& reason = document_["context"]["gpu_reason"];
+    if (!reason.is_null()) {
+      progress_.note(fmt::format("no rows on a GPU: {}", reason.get<std::string>()));
+    }
+    for (const PlannedGpuCase& planned : gpu_cases_) {
+      if (interrupted()) return;
+      const SortCase& what = planned.what;
+      progress_.show(next_step_,
+                     fmt::format("gpu n={} bits={} {}", what.n, what.bits, name_of(what.order)));
+      const auto begin = std::chrono::steady_clock::now();
+      run_gpu_case(planned);
+      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+      progress_.learn(next_step_++, taken.count(), 1.0);
+    }
+  }
+
+  void run_gpu_case(const PlannedGpuCase& planned) {
+    GpuRows rows(planned.what, planned.algorithms);
+    rows.verify();
+    for (int round = 0; round < gpu_rounds() && !interrupted(); ++round) rows.measure(round);
+    if (interrupted()) return;  // a case counts when it is whole
+    any_wrong_ = any_wrong_ || rows.any_wrong();
+    for (Json& row : rows.json()) document_["rows"].push_back(std::move(row));
+    file_.write(document_);
   }
 
   /// Each round measures every row once, in an order of its own.
@@ -203,6 +295,7 @@ class SortBench {
   SortBenchOptions options_;
   int rounds_;
   std::vector<PlannedCase> cases_;
+  std::vector<PlannedGpuCase> gpu_cases_;
   ResultFile file_;
   Json document_;
   Progress progress_;

@@ -12,7 +12,9 @@ struct SortBenchOptions {
   std::string filter;            // regular expression on row names; empty: all
   std::string output = "reports/out/sort.json";
   std::optional<int> rounds;  // instead of the preset's
-  int threads = 1;            // of the rows with several threads
+  std::string device =
+      "all";        // cpu, gpu or all: whose rows; all leaves out a gpu that is not there
+  int threads = 1;  // of the rows with several threads
 };
 
 /// Returns the exit code: 0; 1 if a row is wrong; 130 after Ctrl-C, with every finished case in the

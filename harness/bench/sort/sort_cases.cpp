@@ -44,12 +44,56 @@ std::vector<SortCase> full_cases() {
   return cases;
 }
 
+constexpr int kGpuBits[] = {8, 12, 17, 20, 24, 32};
+constexpr Order kGpuOrders[] = {Order::sorted, Order::constant, Order::few_distinct};
+constexpr std::uint32_t kGpuOrdersSize = 1u << 24;
+
+/// Two widths over all sizes, all widths at one size, all orders at that size.
+std::vector<SortCase> quick_gpu_cases() {
+  std::vector<SortCase> cases;
+  for (int log = 12; log <= 26; log += 2) {
+    for (const int bits : kGpuBits) {
+      const bool all_sizes = bits == 20 || bits == 32;
+      if (all_sizes || 1u << log == kGpuOrdersSize) {
+        cases.push_back({1u << log, bits, Order::random});
+      }
+    }
+  }
+  for (const Order order : kGpuOrders) {
+    for (const int bits : {20, 32}) cases.push_back({kGpuOrdersSize, bits, order});
+  }
+  return cases;
+}
+
+std::vector<SortCase> full_gpu_cases() {
+  std::vector<SortCase> cases;
+  for (int log = 12; log <= 28; log += 2) {
+    for (const int bits : kGpuBits) cases.push_back({1u << log, bits, Order::random});
+  }
+  for (const std::uint32_t n : {1u << 20, kGpuOrdersSize}) {
+    for (const Order order : kGpuOrders) {
+      for (const int bits : kGpuBits) cases.push_back({n, bits, order});
+    }
+  }
+  return cases;
+}
+
+InputError unknown_preset(std::string_view preset) {
+  return InputError(fmt::format("unknown preset '{}'; known: quick, full", preset));
+}
+
 }  // namespace
+
+std::vector<SortCase> gpu_sort_cases(std::string_view preset) {
+  if (preset == "quick") return quick_gpu_cases();
+  if (preset == "full") return full_gpu_cases();
+  throw unknown_preset(preset);
+}
 
 std::vector<SortCase> sort_cases(std::string_view preset) {
   if (preset == "quick") return quick_cases();
   if (preset == "full") return full_cases();
-  throw InputError(fmt::format("unknown preset '{}'; known: quick, full", preset));
+  throw unknown_preset(preset);
 }
 
 std::vector<std::uint32_t> make_keys(const SortCase& what) {

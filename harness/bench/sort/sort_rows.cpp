@@ -72,26 +72,40 @@ void SortRunner::measure() {
 }
 
 nlohmann::ordered_json SortRunner::json() const {
+  return sort_row_json({.name = row_name(row_, subject_.what),
+                        .algorithm = row_.how->name,
+                        .device = "cpu",
+                        .threads = row_.threads,
+                        .stable = row_.how->stable,
+                        .packed = row_.how->packed,
+                        .iterations = iterations_,
+                        .total_ms = total_ms_,
+                        .skipped = skipped_,
+                        .wrong = wrong_},
+                       subject_.what);
+}
+
+nlohmann::ordered_json sort_row_json(const SortReport& row, const SortCase& what) {
   using Json = nlohmann::ordered_json;
-  const SortCase& what = subject_.what;
   Json rate;
-  if (!total_ms_.empty()) rate = what.n / (median(total_ms_) / 1e3);
-  return {{"name", row_name(row_, what)},
-          {"algorithm", row_.how->name},
+  if (!row.total_ms.empty()) rate = what.n / (median(row.total_ms) / 1e3);
+  return {{"name", row.name},
+          {"algorithm", row.algorithm},
+          {"device", row.device},
           {"n", what.n},
           {"bits", what.bits},
           {"order", name_of(what.order)},
-          {"threads", row_.threads},
-          {"stable", row_.how->stable},
-          {"packed", row_.how->packed},
-          {"status", skipped_ ? "skipped"
-                     : wrong_ ? "wrong"
-                              : "ok"},
-          {"reason", skipped_ ? Json(*skipped_)
-                     : wrong_ ? Json(*wrong_)
-                              : Json()},
-          {"iterations", iterations_},
-          {"total_ms", total_ms_},
+          {"threads", row.threads},
+          {"stable", row.stable},
+          {"packed", row.packed},
+          {"status", row.skipped ? "skipped"
+                     : row.wrong ? "wrong"
+                                 : "ok"},
+          {"reason", row.skipped ? Json(*row.skipped)
+                     : row.wrong ? Json(*row.wrong)
+                                 : Json()},
+          {"iterations", row.iterations},
+          {"total_ms", row.total_ms},
           {"items_per_second_median", rate}};
 }
 

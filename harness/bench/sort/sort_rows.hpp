@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "harness/bench/sort/algorithms.hpp"
@@ -23,6 +24,21 @@ std::vector<SortRow> sort_rows(int threads);
 
 /// "sort/algorithm:impl_cpu/n:4096/bits:8/order:random/threads:1"
 std::string row_name(const SortRow& row, const SortCase& what);
+
+/// What a row of the JSON says, besides its case.
+struct SortReport {
+  std::string name;
+  std::string_view algorithm;
+  std::string_view device;  // cpu or gpu
+  int threads;              // 0 on a gpu
+  bool stable;
+  bool packed;
+  std::uint64_t iterations;
+  std::vector<double> total_ms;
+  std::optional<std::string> skipped;
+  std::optional<std::string> wrong;
+};
+nlohmann::ordered_json sort_row_json(const SortReport& row, const SortCase& what);
 
 /// The input of a case, and where its rows work.
 struct SortSubject {

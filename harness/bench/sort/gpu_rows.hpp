@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The rows of one case on the device.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/bench/sort/gpu_sorts.hpp"
+#include "harness/bench/sort/sort_cases.hpp"
+
+namespace octocell::bench {
+
+/// "sort/algorithm:cub/n:4096/bits:8/order:random/threads:0"
+std::string gpu_row_name(std::size_t algorithm, const SortCase& what);
+
+class GpuRows {
+ public:
+  /// `algorithms`: places in gpu_algorithms(). Makes the input and brings it to the device.
+  GpuRows(const SortCase& what, const std::vector<std::size_t>& algorithms);
+
+  /// Sorts once with each. What is wrong or very slow is not measured.
+  void verify();
+
+  /// Each row once, in an order that depends on the round.
+  void measure(int round);
+
+  [[nodiscard]] bool any_wrong() const;
+  [[nodiscard]] std::vector<nlohmann::ordered_json> json() const;
+
+ private:
+  struct Row {
+    std::size_t algorithm;
+    std::vector<double> total_ms = {};
+    std::optional<std::string> skipped = {};
+    std::optional<std::string> wrong = {};
+  };
+  void run(Row& row, bool keep_time);
+
+  SortCase what_;
+  std::unique_ptr<GpuSortCase> case_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace octocell::bench

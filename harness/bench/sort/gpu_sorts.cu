@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "harness/bench/sort/gpu_sorts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "baselines/cub/radix_sort.cuh"
+#include "harness/bench/sort/gpu_sort_check.cuh"
+#include "harness/interface/cuda.cuh"
+#include "impl_cuda_custom/radix_sort/radix_sort.cuh"
+
+namespace octocell::bench {
+namespace {
+
+using cuda::check;
+using cuda::DeviceArray;
+using cuda_custom::Rung;
+
+constexpr Rung kRungs[] = {Rung::one_bit_split, Rung::digit_passes, Rung::reduce_then_scan,
+                           Rung::onesweep};
+
+class Event {
+ public:
+  Event() { check(cudaEventCreate(&event_)); }
+  Event(const Event&) = delete;
+  Event& operator=(const Event&) = delete;
+  ~Event() { cudaEventDestroy(event_); }
+  void record(cudaStream_t stream) const { check(cudaEventRecord(event_, stream)); }
+  [[nodiscard]] float ms_since(const Event& begin) const {
+    float ms = 0.0F;
+    check(cudaEventSynchronize(event_));
+    check(cudaEventElapsedTime(&ms, begin.event_, event_));
+    return ms;
+  }
+
+ private:
+  cudaEvent_t event_ = nullptr;
+};
+
+class Stream {
+ public:
+  Stream() { check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking)); }
+  Stream(const Stream&) = delete;
+  Stream& operator=(const Stream&) = delete;
+  ~Stream() { cudaStreamDestroy(stream_); }
+  operator cudaStream_t() const { return stream_; }
+
+ private:
+  cudaStream_t stream_ = nullptr;
+};
+
+/// Keeps the device busy until the host has queued what is timed, so that the time is the device's
+/// and not that of the host's calls.
+constexpr long long kHoldCycles = 600'000;  // 0.3 ms or so
+__global__ void hold_kernel() {
+  const long long begin = clock64();
+  while (clock64() - begin < kHoldCycles) continue;
+}
+
+struct Columns {
+  explicit Columns(std::uint64_t n) {
+    keys.allocate(n);
+    values.allocate(n);
+  }
+  DeviceArray<std::uint32_t> keys;
+  DeviceArray<std::uint32_t> values;
+};
+
+void copy_to(std::uint32_t* to, const std::uint32_t* from, std::uint64_t n, cudaStream_t stream) {
+  check(cudaMemcpyAsync(to, from, n * sizeof(*to), cudaMemcpyDefault, stream));
+}
+
+class Case final : public GpuSortCase {
+ public:
+  Case(const std::vector<std::uint32_t>& keys, int bits)
+      : n_(keys.size()), bits_(bits), input_(n_), front_(n_), back_(n_) {
+    std::vector<std::uint32_t> values(n_);
+    std::iota(values.begin(), values.end(), 0U);
+    copy_to(input_.keys.data(), keys.data(), n_, stream_);
+    copy_to(input_.values.data(), values.data(), n_, stream_);
+    count_.allocate(1);
+    faults_.allocate(1);
+    check(cudaMemcpyAsync(count_.data(), &n_, sizeof(n_), cudaMemcpyDefault, stream_));
+    check(cudaStreamSynchronize(stream_));
+  }
+
+  GpuRun run(std::size_t algorithm) override {
+    return algorithm < std::size(kRungs) ? run_rung(kRungs[algorithm]) : run_cub();
+  }
+
+ private:
+  GpuRun run_rung(Rung rung) {
+    const cuda_custom::RadixSort sort(rung, n_, bits_);
+    scratch_.allocate(sort.scratch_bytes());
+    return timed([&] {
+      sort.launch({front_.keys.data(), front_.values.data()},
+                  {back_.keys.data(), back_.values.data()}, count_.data(), scratch_.data(),
+                  stream_);
+      return sort.result_side();
+    });
+  }
+
+  GpuRun run_cub() {
+    const cub_baseline::RadixSort sort(n_, bits_);
+    scratch_.allocate(sort.scratch_bytes());
+    return timed([&] {
+      return sort.launch({front_.keys.data(), front_.values.data()},
+                         {back_.keys.data(), back_.values.data()}, scratch_.data(), stream_);
+    });
+  }
+
+  template <typename Sort>
+  GpuRun timed(const Sort& sort) {
+    copy_to(front_.keys.data(), input_.keys.data(), n_, stream_);
+    copy_to(front_.values.data(), input_.values.data(), n_, stream_);
+    hold_kernel<<<1, 1, 0, stream_>>>();
+    check(cudaGetLastError());
+    begin_.record(stream_);
+    const int side = sort();
+    end_.record(stream_);
+    const double ms = end_.ms_since(begin_);
+    return {ms, fault_of(side == 0 ? front_ : back_)};
+  }
+
+  std::optional<std::string> fault_of(const Columns& sorted) {
+    SortFaults found;
+    check(cudaMemsetAsync(faults_.data(), 0, sizeof(found), stream_));
+    const auto blocks = static_cast<unsigned>((n_ + 255) / 256);
+    find_sort_faults_kernel<<<blocks, 256, 0, stream_>>>(
+        input_.keys.data(), sorted.keys.data(), sorted.values.data(),
+        static_cast<std::uint32_t>(n_), faults_.data());
+    check(cudaGetLastError());
+    check(cudaMemcpyAsync(&found, faults_.data(), sizeof(found), cudaMemcpyDefault, stream_));
+    check(cudaStreamSynchronize(stream_));
+    if (found.foreign != 0) {
+      return std::to_string(found.foreign) + " pairs are not those of the input";
+    }
+    if (found.disordered == 0) return std::nullopt;
+    return "not sorted or not stable: " + std::to_string(found.disordered) +
+           " pairs are not behind the one before";
+  }
+
+  std::uint64_t n_;
+  int bits_;
+  Stream stream_;
+  Event begin_;
+  Event end_;
+  Columns input_;
+  Columns front_;
+  Columns back_;
+  DeviceArray<std::uint64_t> count_;
+  DeviceArray<SortFaults> faults_;
+  DeviceArray<char> scratch_;  // of the sort that needs most so far
+};
+
+/// The fastest of several copies of a block that no cache holds.
+double copy_gigabytes_per_second() {
+  constexpr std::size_t kBytes = std::size_t{1} << 30;
+  DeviceArray<char> from;
+  DeviceArray<char> to;
+  from.allocate(kBytes);
+  to.allocate(kBytes);
+  const Stream stream;
+  check(cudaMemsetAsync(from.data(), 1, kBytes, stream));
+  const Event begin;
+  const Event end;
+  float best_ms = 1e9F;
+  for (int repetition = 0; repetition < 10; ++repetition) {
+    begin.record(stream);
+    check(cudaMemcpyAsync(to.data(), from.data(), kBytes, cudaMemcpyDeviceToDevice, stream));
+    end.record(stream);
+    best_ms = std::min(best_ms, end.ms_since(begin));
+  }
+  return 2.0 * kBytes / (best_ms * 1e6);
+}
+
+}  // namespace
+
+std::optional<std::string> why_no_gpu() {
+  int count = 0;
+  const cudaError_t result = cudaGetDeviceCount(&count);
+  if (result == cudaSuccess && count > 0) return std::nullopt;
+  return std::string("no CUDA device: ") +
+         cudaGetErrorString(result == cudaSuccess ? cudaErrorNoDevice : result);
+}
+
+const std::vector<std::string_view>& gpu_algorithms() {
+  static const std::vector<std::string_view> all = {
+      "cuda_one_bit_split", "cuda_digit_passes", "cuda_reduce_then_scan", "cuda_onesweep", "cub"};
+  return all;
+}
+
+GpuDescription describe_gpu() {
+  int device = 0;
+  cudaDeviceProp properties;
+  check(cudaGetDevice(&device));
+  check(cudaGetDeviceProperties(&properties, device));
+  return {properties.name, cub_baseline::version(), copy_gigabytes_per_second()};
+}
+
+std::unique_ptr<GpuSortCase> make_gpu_sort_case(const std::vector<std::uint32_t>& keys, int bits) {
+  return std::make_unique<Case>(keys, bits);
+}
+
+}  // namespace octocell::bench

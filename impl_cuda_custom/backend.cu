@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "impl_cuda_custom/backend.hpp"
+
+#include "harness/interface/error.hpp"
+
+#ifdef __CUDACC__
+
+#include <algorithm>
+
+#include "harness/planner/scene_stats.hpp"
+#include "impl_cuda_custom/device.cuh"
+#include "impl_cuda_custom/device_runs.cuh"
+
+namespace octocell::cuda_custom {
+namespace {
+
+__global__ void __launch_bounds__(kBlockThreads)
+    checksum_kernel(const Pair* pairs, std::uint64_t count, std::uint64_t* checksum) {
+  const std::uint64_t stride = std::uint64_t{gridDim.x} * kBlockThreads;
+  std::uint64_t sum = 0;
+  for (std::uint64_t k = std::uint64_t{blockIdx.x} * kBlockThreads + threadIdx.x; k < count;
+       k += stride) {
+    sum += mix_pair(pairs[k]);
+  }
+  add_over_block(checksum, sum);
+}
+
+class CudaBackend final : public GridPairFinder {
+ public:
+  CudaBackend() { cuda::check(cudaStreamCreateWithFlags(&w_.stream, cudaStreamNonBlocking)); }
+  CudaBackend(const CudaBackend&) = delete;
+  CudaBackend& operator=(const CudaBackend&) = delete;
+  ~CudaBackend() override { cudaStreamDestroy(w_.stream); }
+
+  void upload(const Plan& plan, SceneView scene) override {
+    runs_.forget_graph();
+    w_.plan = plan;
+    w_.scene = scene;
+    w_.sorter.reset();
+    if (plan.method == Method::home_phantom) {
+      w_.sorter.emplace(Rung::onesweep, plan.capacity.ids, plan.grid.key_bits);
+    }
+    allocate();
+    update(scene);
+  }
+
+  /// Nothing stands between runs: every find_pairs() starts from the spheres.
+  void update(SceneView scene) override {
+    w_.scene = scene;
+    w_.spheres.allocate(scene.spheres.size());
+    if (scene.spheres.empty()) return;
+    cuda::check(cudaMemcpyAsync(w_.spheres.data(), scene.spheres.data(), scene.spheres.size_bytes(),
+                                cudaMemcpyHostToDevice, w_.stream));
+    wait();
+  }
+
+  std::unique_ptr<StageClock> make_clock(Marks marks) override {
+    return std::make_unique<cuda::EventClock>(w_.stream, marks);
+  }
+
+  Counts counts() override {
+    const State state = read_state();
+    Counts found;
+    found.ids = state.ids;
+    found.cells = state.cells;
+    found.candidates = state.candidates;
+    found.doubts = state.doubts;
+    found.pairs = state.pairs;
+    found.over_candidate_limit = state.candidates > w_.plan.candidate_limit;
+    found.plan_violation = words_for(state.violations);
+    return found;
+  }
+
+  std::vector<Pair> download() override {
+    std::vector<Pair> pairs(stored(read_state()));
+    if (pairs.empty()) return pairs;
+    cuda::check(cudaMemcpyAsync(pairs.data(), w_.pairs.data(), pairs.size() * sizeof(Pair),
+                                cudaMemcpyDeviceToHost, w_.stream));
+    wait();
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+  }
+
+  PairDigest digest() override {
+    const State state = read_state();
+    if (w_.plan.count_only) return {state.pairs, state.checksum};
+    const std::uint64_t count = stored(state);
+    if (count == 0) return {};
+    constexpr std::uint64_t kMostBlocks = 2048;
+    const auto blocks =
+        static_cast<unsigned>(std::min<std::uint64_t>(blocks_for(count), kMostBlocks));
+    std::uint64_t* const checksum = &w_.state.data()->checksum;
+    cuda::check(cudaMemsetAsync(checksum, 0, sizeof *checksum, w_.stream));
+    checksum_kernel<<<blocks, kBlockThreads, 0, w_.stream>>>(w_.pairs.data(), count, checksum);
+    cuda::check_launch();
+    return {count, read_state().checksum};
+  }
+
+  DeviceRuns* device_runs() override { return &runs_; }
+
+ protected:
+  [[nodiscard]] Method method() const override { return w_.plan.method; }
+  void bounds() override { cuda_custom::bounds(w_); }
+  void cell_ids() override { cuda_custom::cell_ids(w_); }
+  void sort() override { cuda_custom::sort(w_); }
+  void cell_index() override { cuda_custom::cell_index(w_); }
+  void pair_tests() override { cuda_custom::pair_tests(w_); }
+  void resolve() override { cuda_custom::resolve(w_); }
+
+ private:
+  /// Says what is needed before anything is given up for it.
+  void allocate() {
+    std::uint64_t more = 0;
+    w_.for_each_array([&](auto& array, std::uint64_t elements) {
+      if (elements > array.capacity()) more += (elements - array.capacity()) * array.kElementBytes;
+    });
+    cuda::require_memory(more);
+    w_.for_each_array([](auto& array, std::uint64_t elements) { array.allocate(elements); });
+  }
+
+  void wait() { cuda::check(cudaStreamSynchronize(w_.stream)); }
+
+  State read_state() {
+    State state;
+    cuda::check(
+        cudaMemcpyAsync(&state, w_.state.data(), sizeof state, cudaMemcpyDeviceToHost, w_.stream));
+    wait();
+    return state;
+  }
+
+  [[nodiscard]] std::uint64_t stored(const State& state) const {
+    return w_.plan.count_only || state.pairs > w_.plan.capacity.pairs ? 0 : state.pairs;
+  }
+
+  /// The device sets flags; the words, which name a sphere, are made here.
+  [[nodiscard]] std::optional<std::string> words_for(std::uint32_t violations) const {
+    if ((violations & kInvalidSphere) != 0) return describe_first_invalid(w_.scene.spheres);
+    if ((violations & kOutsidePlan) != 0) {
+      return "the spheres have left the box or the range of radii that the plan rests on";
+    }
+    if ((violations & kThreeCells) != 0) {
+      return "rule chapter32: a sphere meets three cells on one axis";
+    }
+    return std::nullopt;
+  }
+
+  Workspace w_;
+  CudaDeviceRuns runs_{*this, w_};
+};
+
+}  // namespace
+
+std::optional<std::string> why_unavailable() { return cuda::why_no_device(); }
+
+std::unique_ptr<PairFinder> make_backend() {
+  if (const auto reason = why_unavailable()) throw Error(*reason);
+  return std::make_unique<CudaBackend>();
+}
+
+}  // namespace octocell::cuda_custom
+
+#else
+
+namespace octocell::cuda_custom {
+
+std::optional<std::string> why_unavailable() { return "built without nvcc"; }
+std::unique_ptr<PairFinder> make_backend() { throw Error(*why_unavailable()); }
+
+}  // namespace octocell::cuda_custom
+
+#endif

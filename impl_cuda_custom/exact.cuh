@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "impl_cuda_custom/device.cuh"
+
+namespace octocell::cuda_custom {
+
+/// Out of line: it is long, rarely called, and would cost its callers registers (and nvcc,
+/// minutes).
+__device__ __noinline__ static bool overlap(const Sphere* spheres, Pair pair) {
+  return overlap_exact(load_sphere(spheres, pair.i), load_sphere(spheres, pair.j));
+}
+
+}  // namespace octocell::cuda_custom

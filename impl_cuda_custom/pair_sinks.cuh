@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Where stage 5 leaves what it finds: in the two lists, or only in the sums.
+#pragma once
+
+#include "impl_cuda_custom/exact.cuh"
+#include "impl_cuda_custom/pair_writer.cuh"
+
+namespace octocell::cuda_custom {
+
+struct SinkArguments {
+  PairList pairs;
+  PairList doubts;
+  const Sphere* spheres;
+  State* state;
+};
+
+/// Pairs are kept; doubts, too, for stage 6.
+class Keep {
+ public:
+  /// Blocks that a multiprocessor should have room for: bounds the registers of a thread.
+  static constexpr int kBlocksAtOnce = 6;
+  struct Shared {
+    PairWriter::Shared pairs;
+    PairWriter::Shared doubts;
+  };
+  __device__ Keep(const SinkArguments& to, Shared& shared)
+      : pairs_(to.pairs, shared.pairs), doubts_(to.doubts, shared.doubts) {}
+
+  /// All lanes of the warp call it.
+  __device__ void take(bool sure, bool doubt, Pair pair) {
+    pairs_.push(sure, pair);
+    doubts_.push(doubt, pair);
+  }
+  /// All threads of the block call it, once, at the end.
+  __device__ void close() {
+    pairs_.close();
+    doubts_.close();
+  }
+
+ private:
+  PairWriter pairs_;
+  PairWriter doubts_;
+};
+
+/// A count_only plan has no room for doubts: they are decided where they are found.
+class Count {
+ public:
+  static constexpr int kBlocksAtOnce = 3;  // the exact test needs many registers
+  struct Shared {};
+  __device__ Count(const SinkArguments& to, Shared&) : to_(to) {}
+
+  __device__ void take(bool sure, bool doubt, Pair pair) {
+    if (doubt) {
+      ++doubts_;
+      sure = overlap(to_.spheres, pair);
+    }
+    if (!sure) return;
+    ++pairs_;
+    checksum_ += mix_pair(pair);
+  }
+  __device__ void close() const {
+    add_over_block(&to_.state->pairs, pairs_);
+    add_over_block(&to_.state->doubts, doubts_);
+    add_over_block(&to_.state->checksum, checksum_);
+  }
+
+ private:
+  const SinkArguments to_;
+  std::uint64_t pairs_ = 0;
+  std::uint64_t doubts_ = 0;
+  std::uint64_t checksum_ = 0;
+};
+
+}  // namespace octocell::cuda_custom

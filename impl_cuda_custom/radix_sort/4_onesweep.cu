@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// Rung 4: a pass reads every pair once and writes it once (Adinets & Merrill 2022, arXiv
+// 2206.01784). Against rung 3: the digits of all passes are counted in one reading at the start;
+// where a tile's
+//   keys go follows from the tiles below by decoupled look-back, so there is no upsweep and no scan
+//   between. Digits have up to 10 bits, so 20 bits take two passes and 17 bits two instead of
+//   three; tiles are larger, and their size follows from how many pairs there may be.
+// Why it should help: a pass costs two memory operations a pair instead of three, in one launch
+//   instead of three; fewer passes for the widths that cell ids have.
+// Measured: the ladder in the report of `octocell bench-sort`, algorithm cuda_onesweep.
+#include <algorithm>
+
+#include "harness/interface/cuda.cuh"
+#include "impl_cuda_custom/radix_sort/digit_histograms.cuh"
+#include "impl_cuda_custom/radix_sort/onesweep_tile.cuh"
+
+namespace octocell::cuda_custom::onesweep {
+namespace {
+
+template <int kDigitBits, int kItems>
+__global__ void __launch_bounds__(kThreads, 2) onesweep_kernel(Pass pass) {
+  using Here = Tile<kDigitBits, kItems>;
+  extern __shared__ std::uint64_t memory[];
+  Here tile(pass, *reinterpret_cast<typename Here::Shared*>(memory));
+  if (!tile.take()) return;
+  tile.load_keys();
+  tile.rank_in_warps();
+  tile.rank_in_tile();
+  tile.order_keys();
+  tile.order_values_and_look_back();
+  tile.write();
+}
+
+struct Variant {
+  void (*kernel)(Pass);
+  std::uint32_t tile_items;
+  std::uint32_t owners;
+  std::size_t shared_bytes;
+};
+template <int kDigitBits, int kItems>
+constexpr Variant variant() {
+  using Here = Tile<kDigitBits, kItems>;
+  return {onesweep_kernel<kDigitBits, kItems>, Here::kSize, Here::kOwners,
+          sizeof(typename Here::Shared)};
+}
+
+/// By digit width, then by tile size, the largest last. Narrower digits use the first row.
+constexpr int kNarrowest = 5;
+constexpr int kTileSizes = 3;
+template <int kDigitBits>
+constexpr Variant kBySize[kTileSizes] = {variant<kDigitBits, 4>(), variant<kDigitBits, 9>(),
+                                         variant<kDigitBits, 18>()};
+const Variant* const kByWidth[] = {kBySize<5>, kBySize<6>, kBySize<7>,
+                                   kBySize<8>, kBySize<9>, kBySize<10>};
+static_assert(kNarrowest + std::size(kByWidth) - 1 == kWidestDigit);
+
+/// All passes use the kernel of the widest digit, so that they share the look-back words.
+const Variant& variant_of(const DigitPlan& plan, int tile) {
+  return kByWidth[std::max(plan.width(), kNarrowest) - kNarrowest][tile];
+}
+
+int attribute(cudaDeviceAttr which) {
+  int device = 0;
+  int value = 0;
+  cuda::check(cudaGetDevice(&device));
+  cuda::check(cudaDeviceGetAttribute(&value, which, device));
+  return value;
+}
+
+/// The largest tile that the device's shared memory holds and of which there are three for every
+/// two multiprocessors; the smallest where there is none.
+int tile_size(std::uint32_t capacity, const DigitPlan& plan) {
+  const int processors = attribute(cudaDevAttrMultiProcessorCount);
+  const int room = attribute(cudaDevAttrMaxSharedMemoryPerBlockOptin);
+  for (int tile = kTileSizes - 1; tile > 0; --tile) {
+    const Variant& v = variant_of(plan, tile);
+    const bool fits = v.shared_bytes <= static_cast<std::size_t>(room);
+    if (fits && 2 * parts_of(capacity, v.tile_items) >= 3 * static_cast<unsigned>(processors)) {
+      return tile;
+    }
+  }
+  return 0;
+}
+
+/// More than 48 KiB of shared memory must be asked for, once a device.
+void ask_for_shared_memory(const Variant& v) {
+  const auto set = [&](cudaFuncAttribute which, int value) {
+    cuda::check(cudaFuncSetAttribute(reinterpret_cast<const void*>(v.kernel), which, value));
+  };
+  set(cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(v.shared_bytes));
+  set(cudaFuncAttributePreferredSharedMemoryCarveout, cudaSharedmemCarveoutMaxShared);
+}
+
+/// Where things lie in the scratch memory.
+struct Layout {
+  std::uint32_t* starts;     // [passes][bins]
+  std::uint32_t* next_tile;  // [passes]
+  std::uint32_t* blocks_done;
+  std::size_t zeroed;    // bytes from the start: all of the above
+  std::uint64_t* words;  // [look_back::kMargin + tiles][owners]
+  std::size_t bytes;
+};
+Layout layout_of(const Shape& shape, void* scratch) {
+  const Variant& v = variant_of(shape.plan, shape.tile);
+  const auto passes = static_cast<std::size_t>(shape.plan.passes);
+  auto* numbers = static_cast<std::uint32_t*>(scratch);
+  const std::size_t bins = passes * 2 * v.owners;
+  const std::size_t numbers_used = (bins + passes + 1 + 63) / 64 * 64;
+  const std::size_t zeroed = numbers_used * sizeof(std::uint32_t);
+  const std::size_t tiles = parts_of(shape.capacity, v.tile_items);
+  const std::size_t words = (look_back::kMargin + tiles) * v.owners;
+  return {numbers,
+          numbers + bins,
+          numbers + bins + passes,
+          zeroed,
+          reinterpret_cast<std::uint64_t*>(numbers + numbers_used),
+          zeroed + words * sizeof(std::uint64_t)};
+}
+
+void launch_histograms(const Shape& shape, const Call& call, const Layout& there) {
+  const Variant& v = variant_of(shape.plan, shape.tile);
+  digit_histograms::Job job = {.keys = call.front.keys,
+                               .count = call.count,
+                               .capacity = shape.capacity,
+                               .digits = {},
+                               .bins = static_cast<int>(2 * v.owners),
+                               .starts = there.starts,
+                               .blocks_done = there.blocks_done,
+                               .words = there.words,
+                               .words_per_tile = v.owners,
+                               .tile_items = v.tile_items};
+  std::copy_n(shape.plan.digits.begin(), shape.plan.passes, job.digits);
+  digit_histograms::launch(job, shape.plan.passes, call.stream);
+}
+
+}  // namespace
+
+Shape shape(std::uint32_t capacity, int bits) {
+  Shape shape = {.capacity = capacity, .plan = digit_plan(bits)};
+  if (capacity == 0 || shape.plan.passes == 0) return shape;
+  shape.tile = tile_size(capacity, shape.plan);
+  ask_for_shared_memory(variant_of(shape.plan, shape.tile));
+  return shape;
+}
+
+std::uint64_t scratch_bytes(const Shape& shape) { return layout_of(shape, nullptr).bytes; }
+
+void launch(const Shape& shape, const Call& call) {
+  const Variant& v = variant_of(shape.plan, shape.tile);
+  const Layout there = layout_of(shape, call.scratch);
+  cuda::check(cudaMemsetAsync(there.starts, 0, there.zeroed, call.stream));
+  launch_histograms(shape, call, there);
+  for (int p = 0; p < shape.plan.passes; ++p) {
+    const Pass pass = {.from = call.from(p),
+                       .to = call.to(p),
+                       .count = call.count,
+                       .capacity = shape.capacity,
+                       .digit = shape.plan.digits[p],
+                       .starts = there.starts + static_cast<std::size_t>(p) * 2 * v.owners,
+                       .next_tile = there.next_tile + p,
+                       .words = there.words + look_back::kMargin * v.owners,
+                       .states = look_back::states_of(p)};
+    v.kernel<<<parts_of(shape.capacity, v.tile_items), kThreads, v.shared_bytes, call.stream>>>(
+        pass);
+    cuda::check(cudaGetLastError());
+  }
+}
+
+}  // namespace octocell::cuda_custom::onesweep

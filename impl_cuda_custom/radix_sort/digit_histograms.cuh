@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// Onesweep's first kernel: how often each value of each digit occurs, for all passes in one reading
+// of the keys (no pass changes it), and from that where the first key with each value goes. Resets
+// the look-back words on the way.
+#pragma once
+
+#include <algorithm>
+
+#include "harness/interface/cuda.cuh"
+#include "impl_cuda_custom/radix_sort/device_tools.cuh"
+#include "impl_cuda_custom/radix_sort/look_back.cuh"
+#include "impl_cuda_custom/radix_sort/rungs.cuh"
+
+namespace octocell::cuda_custom::digit_histograms {
+
+constexpr int kMostPasses = 4;  // 32 bits in digits of 8 to 10
+constexpr int kThreads = 512;
+constexpr int kItems = 8;  // of a thread, loaded before the first is counted
+constexpr std::uint32_t kStep = kThreads * kItems;
+constexpr std::uint32_t kMostBlocks = 512;  // fills the chip; each adds its bins to the common ones
+
+struct Job {
+  const std::uint32_t* keys;
+  const std::uint64_t* count;
+  std::uint32_t capacity;
+  Digit digits[kMostPasses];
+  int bins;                    // a pass; a power of two, at most 2 * kThreads
+  std::uint32_t* starts;       // [passes][bins] in: zeros; out: where a digit's first key goes
+  std::uint32_t* blocks_done;  // in: zero
+  std::uint64_t* words;        // look-back: [kMargin + tiles][words_per_tile]
+  std::uint32_t words_per_tile;
+  std::uint32_t tile_items;
+};
+
+__device__ inline void reset_look_back(const Job& job, std::uint32_t count) {
+  const std::uint64_t tiles = look_back::kMargin + parts_of(count, job.tile_items);
+  const std::uint64_t words = tiles * job.words_per_tile;
+  const std::uint64_t threads = std::uint64_t{gridDim.x} * kThreads;
+  for (std::uint64_t i = std::uint64_t{blockIdx.x} * kThreads + threadIdx.x; i < words;
+       i += threads) {
+    job.words[i] = 0;
+  }
+}
+
+template <int kPasses>
+__device__ void count_digits(const Job& job, std::uint32_t count, std::uint32_t* counts) {
+  for (std::uint32_t first = blockIdx.x * kStep; first < count; first += gridDim.x * kStep) {
+    std::uint32_t keys[kItems];
+#pragma unroll
+    for (int item = 0; item < kItems; ++item) {
+      const std::uint32_t i = first + item * kThreads + threadIdx.x;
+      keys[item] = i < count ? job.keys[i] : 0;
+    }
+#pragma unroll
+    for (int item = 0; item < kItems; ++item) {
+      if (first + item * kThreads + threadIdx.x >= count) break;
+#pragma unroll
+      for (int pass = 0; pass < kPasses; ++pass) {
+        const Digit digit = job.digits[pass];
+        const std::uint32_t value = keys[item] >> digit.shift & ((1u << digit.width) - 1);
+        atomicAdd(&counts[pass * job.bins + value], 1u);
+      }
+    }
+  }
+}
+
+/// True in the block that ends last, which then sees what all others have added.
+__device__ inline bool is_last_block(std::uint32_t* blocks_done) {
+  __shared__ bool last;
+  __threadfence();  // this thread's sums come before its block's sign of being done
+  __syncthreads();
+  if (threadIdx.x == 0) last = atomicAdd(blocks_done, 1u) == gridDim.x - 1;
+  __syncthreads();
+  __threadfence();
+  return last;
+}
+
+/// Counts of one pass become starts. A thread has two neighbouring bins.
+__device__ inline void sum_bins(std::uint32_t* bins, int size) {
+  __shared__ std::uint32_t warp_sums[kThreads / kWarpThreads];
+  const int bin = 2 * static_cast<int>(threadIdx.x);
+  const std::uint32_t even = bin < size ? __ldcg(&bins[bin]) : 0;
+  const std::uint32_t odd = bin < size ? __ldcg(&bins[bin + 1]) : 0;
+  const std::uint32_t before = block_sums<kThreads>(even + odd, warp_sums).before;
+  if (bin < size) {
+    bins[bin] = before;
+    bins[bin + 1] = before + even;
+  }
+  __syncthreads();  // warp_sums are used again
+}
+
+template <int kPasses>
+__global__ void __launch_bounds__(kThreads, 2) histograms_kernel(Job job) {
+  extern __shared__ std::uint32_t counts[];  // [kPasses][job.bins]
+  const std::uint32_t count = pairs_to_sort(job.count, job.capacity);
+  const int all_bins = kPasses * job.bins;
+  for (int i = threadIdx.x; i < all_bins; i += kThreads) counts[i] = 0;
+  __syncthreads();
+  reset_look_back(job, count);
+  count_digits<kPasses>(job, count, counts);
+  __syncthreads();
+  for (int i = threadIdx.x; i < all_bins; i += kThreads) {
+    if (counts[i] != 0) atomicAdd(&job.starts[i], counts[i]);
+  }
+  if (!is_last_block(job.blocks_done)) return;
+  for (int pass = 0; pass < kPasses; ++pass) sum_bins(job.starts + pass * job.bins, job.bins);
+}
+
+inline void launch(const Job& job, int passes, cudaStream_t stream) {
+  constexpr void (*kByPasses[])(Job) = {histograms_kernel<1>, histograms_kernel<2>,
+                                        histograms_kernel<3>, histograms_kernel<4>};
+  const std::uint32_t blocks = std::min(parts_of(job.capacity, kStep), kMostBlocks);
+  const std::size_t shared = sizeof(std::uint32_t) * static_cast<std::size_t>(passes * job.bins);
+  kByPasses[passes - 1]<<<blocks, kThreads, shared, stream>>>(job);
+  cuda::check(cudaGetLastError());
+}
+
+}  // namespace octocell::cuda_custom::digit_histograms

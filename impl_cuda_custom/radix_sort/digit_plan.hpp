@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// How the bits of a key are cut into digits, one digit a pass.
+#pragma once
+
+#include <array>
+
+namespace octocell::cuda_custom {
+
+/// The digit of a key is key >> shift & (1 << width) - 1.
+struct Digit {
+  int shift;
+  int width;
+};
+
+struct DigitPlan {
+  int passes = 0;
+  std::array<Digit, 32> digits{};  // [passes], the lowest first
+  /// Of the widest digit; 0 where there is none.
+  [[nodiscard]] constexpr int width() const { return passes == 0 ? 0 : digits[0].width; }
+};
+
+/// The widest digit of the fastest rung: its 1,024 bins are two for each of 512 threads.
+inline constexpr int kWidestDigit = 10;
+
+/// As few passes as digits of at most `widest` bits allow, since each pass moves every pair once;
+/// then digits as even as can be, since a bin costs the same however few keys fall into it:
+/// 17 bits are 9 + 8 and not 10 + 7; 20 bits 10 + 10; 32 bits 8 + 8 + 8 + 8. The wider ones first.
+constexpr DigitPlan digit_plan(int bits, int widest = kWidestDigit) {
+  DigitPlan plan;
+  plan.passes = (bits + widest - 1) / widest;
+  int shift = 0;
+  for (int pass = 0; pass < plan.passes; ++pass) {
+    const int width = bits / plan.passes + (pass < bits % plan.passes ? 1 : 0);
+    plan.digits[pass] = {shift, width};
+    shift += width;
+  }
+  return plan;
+}
+
+}  // namespace octocell::cuda_custom

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// What a block of onesweep does with its tile: load, rank, order in shared memory, look back,
+// write.
+#pragma once
+
+#include "impl_cuda_custom/radix_sort/device_tools.cuh"
+#include "impl_cuda_custom/radix_sort/look_back.cuh"
+#include "impl_cuda_custom/radix_sort/rungs.cuh"
+
+namespace octocell::cuda_custom::onesweep {
+
+constexpr int kThreads = 512;
+constexpr int kWarps = kThreads / kWarpThreads;
+
+/// One pass over all tiles.
+struct Pass {
+  KeysAndValues from;
+  KeysAndValues to;
+  const std::uint64_t* count;
+  std::uint32_t capacity;
+  Digit digit;
+  const std::uint32_t* starts;  // [bins] where the first key with each digit goes
+  std::uint32_t* next_tile;
+  std::uint64_t* words;  // look-back: [tiles][bins / 2], behind a margin
+  look_back::States states;
+};
+
+/// A block and its tile. Counters of two neighbouring digits, 16 bits each, share a word (a tile
+/// has fewer than 2^16 items), so a thread that owns a word owns both digits: it sums them up in
+/// one addition, and its look-back word holds both.
+template <int kDigitBits, int kItems>
+class Tile {
+ public:
+  static constexpr std::uint32_t kBins = 1u << kDigitBits;
+  static constexpr std::uint32_t kOwners = kBins / 2;
+  static constexpr std::uint32_t kSize = kThreads * kItems;
+  static_assert(kOwners <= kThreads && kSize < 1u << 16);
+
+  struct Ordered {
+    std::uint32_t keys[kSize];
+    std::uint32_t values[kSize];
+  };
+  struct Shared {
+    union {  // the counts are done with when the first key is put in order
+      std::uint32_t counts[kWarps][kOwners];
+      Ordered ordered;
+    };
+    std::uint32_t offsets[kBins];  // from a key's place in the tile to its place in the output
+    std::uint32_t warp_sums[kWarps];
+    std::uint32_t number;
+  };
+
+  __device__ Tile(const Pass& pass, Shared& shared) : pass_(pass), s_(shared) {}
+
+  /// Takes the next tile; false where there is none left. Numbers come from a counter and not from
+  /// blockIdx, so that all tiles below have started.
+  __device__ bool take() {
+    const std::uint32_t count = pairs_to_sort(pass_.count, pass_.capacity);
+    if (threadIdx.x == 0) s_.number = atomicAdd(pass_.next_tile, 1u);
+    __syncthreads();
+    number_ = s_.number;
+    if (number_ >= parts_of(count, kSize)) return false;
+    first_ = number_ * kSize;
+    here_ = min(count - first_, kSize);
+    return true;
+  }
+
+  /// Beyond the end stand keys with the greatest digit: they come last, and are not written.
+  __device__ void load_keys() { load_items(pass_.from.keys, 0xffffffffu, keys_); }
+
+  /// How many keys with the same digit stand before each key in its warp; counts them, too.
+  __device__ void rank_in_warps() {
+    std::uint32_t(&counts)[kOwners] = s_.counts[warp_of_thread()];
+    for (std::uint32_t i = lane_of_thread(); i < kOwners; i += kWarpThreads) counts[i] = 0;
+    __syncwarp();
+    const unsigned lanes_up_to_here = kAllLanes >> (kWarpThreads - 1 - lane_of_thread());
+#pragma unroll
+    for (int item = 0; item < kItems; ++item) {
+      const std::uint32_t digit = digit_of(keys_[item]);
+      const unsigned peers = lanes_with(digit);
+      const std::uint32_t up_to_here = __popc(peers & lanes_up_to_here);
+      const int leader = kWarpThreads - 1 - __clz(peers);  // the last one: has counted them all
+      std::uint32_t before = 0;
+      // Two leaders may share a word. Reading the answer keeps the items in their order.
+      if (lane_of_thread() == leader)
+        before = atomicAdd(&counts[digit / 2], up_to_here << half(digit));
+      before = __shfl_sync(kAllLanes, before, leader);
+      add_to_rank(item, (before >> half(digit) & 0xffff) + up_to_here - 1);
+    }
+    __syncthreads();
+  }
+
+  /// From counts of a warp to places in the tile; owners publish their tile's counts on the way.
+  __device__ void rank_in_tile() {
+    std::uint32_t counts = 0;
+    if (is_owner()) {
+#pragma unroll
+      for (int warp = 0; warp < kWarps; ++warp) counts += s_.counts[warp][threadIdx.x];
+    }
+    even_ = counts & 0xffff;
+    odd_ = counts >> 16;
+    if (is_owner()) publish(number_ == 0 ? pass_.states.whole : pass_.states.own, own_counts());
+    const std::uint32_t start = block_sums<kThreads>(even_ + odd_, s_.warp_sums).before;
+    if (is_owner()) place_digits(start);
+    __syncthreads();
+#pragma unroll
+    for (int item = 0; item < kItems; ++item) {
+      const std::uint32_t digit = digit_of(keys_[item]);
+      add_to_rank(item, s_.counts[warp_of_thread()][digit / 2] >> half(digit) & 0xffff);
+    }
+    __syncthreads();  // the ordered keys lie where the counts are
+  }
+
+  __device__ void order_keys() {
+#pragma unroll
+    for (int item = 0; item < kItems; ++item) s_.ordered.keys[rank(item)] = keys_[item];
+  }
+
+  /// Loads values, and while they are on their way finds where each digit of this tile goes.
+  __device__ void order_values_and_look_back() {
+    std::uint32_t values[kItems];
+    load_items(pass_.from.values, 0, values);
+    if (is_owner()) look_back_for_digits();
+#pragma unroll
+    for (int item = 0; item < kItems; ++item) s_.ordered.values[rank(item)] = values[item];
+    __syncthreads();
+  }
+
+  __device__ void write() const {
+    if (here_ == kSize) return write_items<true>();
+    write_items<false>();
+  }
+
+ private:
+  /// A warp's items are neighbours, so warps and their items follow the order of the input.
+  __device__ void load_items(const std::uint32_t* from, std::uint32_t beyond_end,
+                             std::uint32_t (&items)[kItems]) const {
+    const std::uint32_t place = warp_of_thread() * kItems * kWarpThreads + lane_of_thread();
+    const int left = static_cast<int>(here_) - static_cast<int>(place);
+    const std::uint32_t* const mine = from + first_ + place;
+#pragma unroll
+    for (int item = 0; item < kItems; ++item) {
+      items[item] = item * kWarpThreads < left ? mine[item * kWarpThreads] : beyond_end;
+    }
+  }
+  /// Keys with the same digit lie side by side, here and in the output. Without a question after
+  /// each item in a full tile, whose reads then overlap.
+  template <bool kFull>
+  __device__ void write_items() const {
+#pragma unroll
+    for (int item = 0; item < kItems; ++item) {
+      const std::uint32_t rank = item * kThreads + threadIdx.x;
+      if (!kFull && rank >= here_) break;
+      const std::uint32_t key = s_.ordered.keys[rank];
+      const std::uint32_t place = s_.offsets[digit_of(key)] + rank;
+      pass_.to.keys[place] = key;
+      pass_.to.values[place] = s_.ordered.values[rank];
+    }
+  }
+  __device__ std::uint32_t digit_of(std::uint32_t key) const {
+    return key >> pass_.digit.shift & ((1u << pass_.digit.width) - 1);
+  }
+  /// Which half of a word counts a digit.
+  __device__ static std::uint32_t half(std::uint32_t digit) { return digit % 2 * 16; }
+  __device__ std::uint32_t rank(int item) const {
+    return ranks_[item / 2] >> item % 2 * 16 & 0xffff;
+  }
+  __device__ void add_to_rank(int item, std::uint32_t places) {
+    ranks_[item / 2] += places << item % 2 * 16;
+  }
+  __device__ static bool is_owner() { return threadIdx.x < kOwners; }
+
+  /// The lanes whose digit is the same: those that vote alike on every bit.
+  __device__ static unsigned lanes_with(std::uint32_t digit) {
+    unsigned peers = kAllLanes;
+#pragma unroll
+    for (int bit = 0; bit < kDigitBits; ++bit) {
+      const bool mine = (digit >> bit & 1) != 0;
+      const unsigned votes = __ballot_sync(kAllLanes, mine);
+      peers &= mine ? votes : ~votes;
+    }
+    return peers;
+  }
+
+  /// Look-back: an owner's word of this tile.
+  __device__ std::uint64_t* word() const {
+    return pass_.words + std::size_t{number_} * kOwners + threadIdx.x;
+  }
+  __device__ std::uint64_t own_counts() const { return look_back::pack(even_, odd_); }
+  __device__ void publish(std::uint64_t state, std::uint64_t counts) const {
+    look_back::write(word(), state | counts);
+  }
+
+  /// `start`: where the even digit begins in the tile. A warp's counts become the places of its
+  /// first keys; offsets become right for a tile with nothing below it.
+  __device__ void place_digits(std::uint32_t start) {
+    const std::uint32_t digit = 2 * threadIdx.x;
+    const std::uint32_t even_start = pass_.starts[digit];
+    const std::uint32_t odd_start = pass_.starts[digit + 1];
+    std::uint32_t places = start | (start + even_) << 16;
+#pragma unroll
+    for (int warp = 0; warp < kWarps; ++warp) {
+      const std::uint32_t next = places + s_.counts[warp][threadIdx.x];
+      s_.counts[warp][threadIdx.x] = places;
+      places = next;
+    }
+    s_.offsets[digit] = even_start - start;
+    s_.offsets[digit + 1] = odd_start - start - even_;
+  }
+
+  /// Adds what stands in the tiles below.
+  __device__ void look_back_for_digits() {
+    if (number_ == 0) return;
+    const std::uint64_t below = look_back::sum_below<kOwners>(word() - kOwners, pass_.states);
+    publish(pass_.states.whole, below + own_counts());
+    s_.offsets[2 * threadIdx.x] += look_back::even_of(below);
+    s_.offsets[2 * threadIdx.x + 1] += look_back::odd_of(below);
+  }
+
+  const Pass& pass_;
+  Shared& s_;
+  std::uint32_t number_;
+  std::uint32_t first_;  // item of the input
+  std::uint32_t here_;   // items; kSize but in the last tile
+  std::uint32_t keys_[kItems];
+  std::uint32_t ranks_[(kItems + 1) / 2] = {};  // two in a word, to save registers
+  std::uint32_t even_ = 0;                      // how often an owner's two digits occur in the tile
+  std::uint32_t odd_ = 0;
+};
+
+}  // namespace octocell::cuda_custom::onesweep

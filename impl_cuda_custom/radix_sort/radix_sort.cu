@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "impl_cuda_custom/radix_sort/radix_sort.cuh"
+
+#include <string>
+
+#include "harness/interface/error.hpp"
+#include "impl_cuda_custom/radix_sort/rungs.cuh"
+
+namespace octocell::cuda_custom {
+namespace {
+
+struct RungCode {
+  Shape (*shape)(std::uint32_t capacity, int bits);
+  std::uint64_t (*scratch_bytes)(const Shape& shape);
+  void (*launch)(const Shape& shape, const Call& call);
+};
+
+/// By the order of Rung.
+constexpr RungCode kRungs[] = {
+    {one_bit_split::shape, one_bit_split::scratch_bytes, one_bit_split::launch},
+    {digit_passes::shape, digit_passes::scratch_bytes, digit_passes::launch},
+    {reduce_then_scan::shape, reduce_then_scan::scratch_bytes, reduce_then_scan::launch},
+    {onesweep::shape, onesweep::scratch_bytes, onesweep::launch},
+};
+
+const RungCode& code_of(Rung rung) { return kRungs[static_cast<int>(rung)]; }
+
+constexpr std::uint64_t kMostPairs = (std::uint64_t{1} << 31) - 1;
+
+std::uint32_t checked_capacity(std::uint64_t capacity, int bits) {
+  if (bits < 0 || bits > 32) throw Error("radix sort: keys of " + std::to_string(bits) + " bits");
+  if (capacity > kMostPairs) {
+    throw LimitError("radix sort: " + std::to_string(capacity) + " pairs; at most " +
+                     std::to_string(kMostPairs));
+  }
+  return static_cast<std::uint32_t>(capacity);
+}
+
+}  // namespace
+
+RadixSort::RadixSort(Rung rung, std::uint64_t capacity, int bits)
+    : rung_(rung), capacity_(checked_capacity(capacity, bits)) {
+  const Shape shape = code_of(rung).shape(capacity_, bits);
+  plan_ = shape.plan;
+  tile_ = shape.tile;
+}
+
+std::uint64_t RadixSort::scratch_bytes() const {
+  if (capacity_ == 0 || plan_.passes == 0) return 0;
+  return code_of(rung_).scratch_bytes({capacity_, plan_, tile_});
+}
+
+void RadixSort::launch(KeysAndValues front, KeysAndValues back, const std::uint64_t* count,
+                       void* scratch, cudaStream_t stream) const {
+  if (capacity_ == 0 || plan_.passes == 0) return;
+  code_of(rung_).launch({capacity_, plan_, tile_}, {front, back, count, scratch, stream});
+}
+
+}  // namespace octocell::cuda_custom

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Stable radix sort of 32-bit keys with 32-bit values, on the device. Four ways, from the simplest
+// to the fastest: 1_one_bit_split.cu to 4_onesweep.cu.
+#pragma once
+
+#include <cuda_runtime_api.h>
+
+#include <cstdint>
+
+#include "impl_cuda_custom/radix_sort/digit_plan.hpp"
+
+namespace octocell::cuda_custom {
+
+enum class Rung : std::uint8_t { one_bit_split, digit_passes, reduce_then_scan, onesweep };
+
+/// Two device arrays of equal length that are sorted together.
+struct KeysAndValues {
+  std::uint32_t* keys;
+  std::uint32_t* values;
+};
+
+class RadixSort {
+ public:
+  /// Sorts up to `capacity` pairs (below 2^31) by keys below 2^bits, 0 <= bits <= 32, on the device
+  /// that is current. Throws LimitError, or Error for bits that no key has.
+  RadixSort(Rung rung, std::uint64_t capacity, int bits);
+
+  /// What launch() needs at `scratch`, aligned as cudaMalloc does.
+  [[nodiscard]] std::uint64_t scratch_bytes() const;
+
+  /// Where launch() leaves the result: 0 for front, 1 for back.
+  [[nodiscard]] int result_side() const { return plan_.passes % 2; }
+
+  /// Queues the sort of min(*count, capacity) pairs; `count` is on the device. Neither waits nor
+  /// allocates. `front` holds the input; both sides are overwritten.
+  void launch(KeysAndValues front, KeysAndValues back, const std::uint64_t* count, void* scratch,
+              cudaStream_t stream) const;
+
+ private:
+  Rung rung_;
+  std::uint32_t capacity_;
+  DigitPlan plan_;
+  int tile_ = 0;  // which of the rung's tile sizes, where it has several
+};
+
+}  // namespace octocell::cuda_custom

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Stage 1, bounds: does the scene still look as the plan takes for granted?
+// Reads spheres. Writes a violation, or nothing; opens State.
+// Cost: one pass, 16 bytes a sphere.
+// Idea: the plan's facts are limits, so every sphere is held against them by itself; nothing needs
+//       to be reduced, and in the good case nothing is written.
+#include "impl_cuda_custom/device.cuh"
+
+namespace octocell::cuda_custom {
+namespace {
+
+constexpr int kSpheresPerThread = 4;  // so many loads are under way at once
+constexpr int kSpheresPerBlock = kBlockThreads * kSpheresPerThread;
+
+/// An assignment on the device: a copy from the host would need memory that outlives it.
+__global__ void open_state_kernel(State* state, State opening) { *state = opening; }
+
+__device__ std::uint32_t violation_of(const Sphere& s, const PlanFacts& facts) {
+  const bool finite = isfinite(s.x) && isfinite(s.y) && isfinite(s.z) && isfinite(s.r);
+  if (!finite || s.r < 0.0F) return kInvalidSphere;
+  bool inside = s.r <= facts.r_max && (s.r == 0.0F || s.r >= facts.r_min_nonzero);
+  inside = inside && s.x >= facts.lowest[0] && s.x <= facts.highest[0];
+  inside = inside && s.y >= facts.lowest[1] && s.y <= facts.highest[1];
+  inside = inside && s.z >= facts.lowest[2] && s.z <= facts.highest[2];
+  return inside ? 0 : kOutsidePlan;
+}
+
+__global__ void __launch_bounds__(kBlockThreads)
+    bounds_kernel(const Sphere* spheres, std::uint64_t count, PlanFacts facts, State* state) {
+  const std::uint64_t first = std::uint64_t{blockIdx.x} * kSpheresPerBlock + threadIdx.x;
+  std::uint32_t violations = 0;
+#pragma unroll
+  for (int k = 0; k < kSpheresPerThread; ++k) {
+    const std::uint64_t i = first + static_cast<std::uint64_t>(k) * kBlockThreads;
+    if (i < count) violations |= violation_of(load_sphere(spheres, i), facts);
+  }
+  if (violations != 0) atomicOr(&state->violations, violations);
+}
+
+State opening_state(const Workspace& w) {
+  State state;
+  const std::uint64_t count = w.sphere_count();
+  if (!w.brute_force()) {
+    state.ids = count;  // the homes; phantoms follow
+  } else if (count > 0) {
+    state.entries = count;
+    state.candidates = count * (count - 1) / 2;
+  }
+  if (count > 0 && count != w.plan.facts.sphere_count) state.violations = kOutsidePlan;
+  return state;
+}
+
+}  // namespace
+
+void bounds(Workspace& w) {
+  open_state_kernel<<<1, 1, 0, w.stream>>>(w.state.data(), opening_state(w));
+  cuda::check_launch();
+  if (w.sphere_count() == 0) return;
+  bounds_kernel<<<blocks_for(w.sphere_count(), kSpheresPerBlock), kBlockThreads, 0, w.stream>>>(
+      w.spheres.data(), w.sphere_count(), w.plan.facts, w.state.data());
+  cuda::check_launch();
+}
+
+}  // namespace octocell::cuda_custom

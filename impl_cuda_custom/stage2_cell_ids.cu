@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// Stage 2, cell_ids: in which cells does each sphere lie?
+// Reads spheres, plan. Writes one home id a sphere, then all phantom ids; control bits.
+// Cost: 16 bytes a sphere, 8 an id.
+// Idea: homes fill [0, n); a block counts its phantoms, claims room for all with one atomic, and
+//       hands the slots of that room to its threads, whoever's phantoms they are: writes lie side
+//       by side, and a sphere that meets many cells holds nobody up.
+#include "harness/interface/as_written.hpp"
+#include "impl_cuda_custom/cell_box.cuh"
+
+namespace octocell::cuda_custom {
+namespace {
+
+/// What stage 1 may have set. The other bits change while this stage runs, and a block's threads
+/// must agree on whether to go on.
+constexpr std::uint32_t kFoundByBounds = kInvalidSphere | kOutsidePlan;
+
+struct Job {
+  const Sphere* spheres;
+  std::uint64_t sphere_count;
+  Grid grid;
+  bool scaled;      // rule chapter32: its reach, and control bits
+  float text_side;  // rule as_written
+  std::uint32_t* cell_ids;
+  Object* objects;
+  std::uint64_t capacity;
+  WideSphere* wide_spheres;
+  chapter32::ControlBits* control_bits;
+  State* state;
+
+  __device__ void put(std::uint64_t place, std::uint32_t id, Object object) const {
+    cell_ids[place] = id;
+    objects[place] = object;
+  }
+  [[nodiscard]] __device__ CellRange range(const Sphere& s) const {
+    return cells_met(grid, s, scaled ? chapter32::reach(s.r) : s.r);
+  }
+  [[nodiscard]] __device__ Cell home(const Sphere& s) const { return cell_of(grid, s.x, s.y, s.z); }
+  __device__ void put_phantom(std::uint64_t place, std::uint32_t sphere, const CellBox& box,
+                              std::uint32_t phantom) const {
+    const Cell cell = box.phantom_cell(phantom);
+    put(place, cell_id(grid, cell), object_of(sphere, cell, box.lowest) | kPhantom);
+  }
+};
+
+/// Room that one block has claimed behind the homes.
+struct Room {
+  std::uint64_t begin;   // of the block's phantoms
+  std::uint64_t before;  // phantoms of the threads below, of this block
+  std::uint64_t total;
+  bool fits;
+};
+
+__device__ Room claim_room(const Job& job, std::uint64_t phantoms) {
+  __shared__ std::uint64_t begin;
+  const Scan scan = scan_over_block(phantoms);
+  if (threadIdx.x == 0) begin = atomic_add(&job.state->ids, scan.total);
+  __syncthreads();
+  return {begin, scan.before, scan.total, begin + scan.total <= job.capacity};
+}
+
+/// The last block to get here knows whether all ids are there.
+__device__ void close_ids(const Job& job) {
+  if (threadIdx.x != 0) return;
+  __threadfence();
+  State* const state = job.state;
+  if (atomicAdd(&state->blocks_done, 1U) != gridDim.x - 1) return;
+  const std::uint64_t ids = atomic_add(&state->ids, 0);
+  const std::uint32_t violations = atomicOr(&state->violations, 0U);
+  if (violations == 0 && ids <= job.capacity) state->entries = ids;
+}
+
+/// Too many phantoms for one block: room is claimed here, and a kernel of its own fills it.
+__device__ void put_off(const Job& job, std::uint32_t sphere, std::uint64_t phantoms) {
+  const std::uint64_t place = atomic_add(&job.state->ids, phantoms);
+  if (place + phantoms > job.capacity) return;
+  const std::uint64_t number = atomic_add(&job.state->wide_spheres, 1);
+  job.wide_spheres[number] = {sphere, static_cast<std::uint32_t>(place)};
+}
+
+/// Writes the home. Returns the phantoms that are left to the block, and what it needs to know.
+__device__ std::uint64_t put_home(const Job& job, std::uint64_t i, CellBox& box) {
+  const Sphere s = load_sphere(job.spheres, i);
+  const auto sphere = static_cast<std::uint32_t>(i);
+  const CellRange met = job.range(s);
+  const Cell home = job.home(s);
+  if (i < job.capacity) job.put(i, cell_id(job.grid, home), object_of(sphere, home, met.lowest));
+  if (job.scaled) {
+    job.control_bits[i] = control_bits_of(met, home);
+    if (meets_three_cells(met)) atomicOr(&job.state->violations, kThreeCells);
+  }
+  box = box_of(met, home);
+  const std::uint64_t phantoms = phantoms_in(met);
+  if (phantoms <= kWidePhantoms) return phantoms;
+  put_off(job, sphere, phantoms);
+  return 0;
+}
+
+/// The thread whose phantoms include number `slot` of the block's.
+__device__ int owner_of(std::uint32_t slot, const std::uint32_t (&first_phantom)[kBlockThreads]) {
+  int owner = 0;
+#pragma unroll
+  for (int step = kBlockThreads / 2; step > 0; step /= 2) {
+    if (first_phantom[owner + step] <= slot) owner += step;
+  }
+  return owner;
+}
+
+__global__ void __launch_bounds__(kBlockThreads) cell_ids_kernel(Job job) {
+  __shared__ CellBox boxes[kBlockThreads];
+  __shared__ std::uint32_t first_phantom[kBlockThreads];
+  if ((job.state->violations & kFoundByBounds) != 0) return;
+
+  const std::uint64_t first_sphere = std::uint64_t{blockIdx.x} * kBlockThreads;
+  const std::uint64_t i = first_sphere + threadIdx.x;
+  const std::uint64_t phantoms = i < job.sphere_count ? put_home(job, i, boxes[threadIdx.x]) : 0;
+  const Room room = claim_room(job, phantoms);
+  first_phantom[threadIdx.x] = static_cast<std::uint32_t>(room.before);
+  __syncthreads();
+  close_ids(job);
+  if (!room.fits) return;
+  for (auto slot = threadIdx.x; slot < room.total; slot += kBlockThreads) {
+    const int owner = owner_of(slot, first_phantom);
+    job.put_phantom(room.begin + slot, static_cast<std::uint32_t>(first_sphere) + owner,
+                    boxes[owner], slot - first_phantom[owner]);
+  }
+}
+
+/// Blocks (x, y): sphere x of the list, and every gridDim.y-th block of its phantoms.
+__global__ void __launch_bounds__(kBlockThreads) wide_spheres_kernel(Job job) {
+  const std::uint64_t count = job.state->entries != 0 ? job.state->wide_spheres : 0;
+  for (std::uint64_t w = blockIdx.x; w < count; w += gridDim.x) {
+    const WideSphere wide = job.wide_spheres[w];
+    const Sphere s = load_sphere(job.spheres, wide.sphere);
+    const CellRange met = job.range(s);
+    const CellBox box = box_of(met, job.home(s));
+    const std::uint64_t phantoms = phantoms_in(met);
+    const std::uint64_t stride = std::uint64_t{gridDim.y} * kBlockThreads;
+    for (std::uint64_t p = blockIdx.y * kBlockThreads + threadIdx.x; p < phantoms; p += stride) {
+      job.put_phantom(wide.place + p, wide.sphere, box, static_cast<std::uint32_t>(p));
+    }
+  }
+}
+
+/// Rule as_written: at most seven phantoms, found by trying 26 neighbours, once to count them.
+__global__ void __launch_bounds__(kBlockThreads) text_cell_ids_kernel(Job job) {
+  if ((job.state->violations & kFoundByBounds) != 0) return;
+  const std::uint64_t i = std::uint64_t{blockIdx.x} * kBlockThreads + threadIdx.x;
+  const auto sphere = static_cast<std::uint32_t>(i);
+  const bool present = i < job.sphere_count;
+  const Sphere s = present ? load_sphere(job.spheres, i) : Sphere{};
+  std::uint64_t phantoms = 0;
+  if (present) {
+    as_written::for_each_phantom(s, job.text_side, [&](std::uint32_t) { ++phantoms; });
+    if (i < job.capacity) job.put(i, as_written::hash(as_written::home(s, job.text_side)), sphere);
+  }
+  const Room room = claim_room(job, phantoms);
+  close_ids(job);
+  if (!room.fits || !present) return;
+  std::uint64_t place = room.begin + room.before;
+  as_written::for_each_phantom(s, job.text_side,
+                               [&](std::uint32_t id) { job.put(place++, id, sphere | kPhantom); });
+}
+
+Job job_of(Workspace& w) {
+  return {.spheres = w.spheres.data(),
+          .sphere_count = w.sphere_count(),
+          .grid = w.plan.grid,
+          .scaled = w.plan.rule == Rule::chapter32,
+          .text_side = as_written::cell_side(w.plan.facts.r_max),
+          .cell_ids = w.ids[0].cell_ids.data(),
+          .objects = w.ids[0].objects.data(),
+          .capacity = w.plan.capacity.ids,
+          .wide_spheres = w.wide_spheres.data(),
+          .control_bits = w.control_bits.data(),
+          .state = w.state.data()};
+}
+
+}  // namespace
+
+void cell_ids(Workspace& w) {
+  if (w.sphere_count() == 0) return;
+  const Job job = job_of(w);
+  const unsigned blocks = blocks_for(w.sphere_count());
+  if (w.plan.rule == Rule::as_written) {
+    text_cell_ids_kernel<<<blocks, kBlockThreads, 0, w.stream>>>(job);
+    return cuda::check_launch();
+  }
+  cell_ids_kernel<<<blocks, kBlockThreads, 0, w.stream>>>(job);
+  cuda::check_launch();
+  const dim3 spheres_by_blocks(16, 64);
+  wide_spheres_kernel<<<spheres_by_blocks, kBlockThreads, 0, w.stream>>>(job);
+  cuda::check_launch();
+}
+
+}  // namespace octocell::cuda_custom

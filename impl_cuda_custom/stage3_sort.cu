@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Stage 3, sort: bring equal cell ids together.
+// Reads and writes cell ids with their objects, grouped by cell, homes before phantoms.
+// Cost: 16 bytes an id and pass, and one more reading of the ids; two to four passes.
+// Idea: only the bits that ids of this grid can have are sorted, and only as many ids as there are;
+//       their number never leaves the device.
+#include "impl_cuda_custom/stages.cuh"
+
+namespace octocell::cuda_custom {
+namespace {
+
+KeysAndValues arrays(const IdArrays& ids) { return {ids.cell_ids.data(), ids.objects.data()}; }
+
+}  // namespace
+
+void sort(Workspace& w) {
+  if (!w.sorter || w.sphere_count() == 0) return;
+  w.sorter->launch(arrays(w.ids[0]), arrays(w.ids[1]), &w.state.data()->entries,
+                   w.sort_scratch.data(), w.stream);
+}
+
+}  // namespace octocell::cuda_custom

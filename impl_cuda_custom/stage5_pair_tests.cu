@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// Stage 5, pair_tests: which spheres that share a cell overlap?
+// Reads spheres, sorted cell ids and objects, crowded tiles. Writes sure pairs, and doubts for
+//       stage 6.
+// Cost: 8 bytes an id and a gathered sphere of 16; then about 15 operations a candidate.
+// Idea: a block takes a tile of 256 entries as rows. Each row meets the entries behind it in its
+//       cell, as far as the end of the next tile: both lie in shared memory, each sphere gathered
+//       once. What lies beyond, in crowded cells, is a second kernel's, tile by tile. Every
+//       candidate belongs to exactly one of the two, however large its cell is.
+#include "impl_cuda_custom/pair_sinks.cuh"
+#include "impl_cuda_custom/rule_test.cuh"
+
+namespace octocell::cuda_custom {
+namespace {
+
+constexpr int kTile = kBlockThreads;
+
+struct Job {
+  const Sphere* spheres;
+  const std::uint32_t* cell_ids;  // none: brute_force, all entries lie in one cell
+  const Object* objects;          // none: entry k is sphere k
+  const CrowdedTile* crowded_tiles;
+  RuleTest rule;
+  Band band;
+  std::uint64_t candidate_limit;
+  SinkArguments sink;
+
+  /// The same for all threads: nothing that is read here changes in this stage.
+  [[nodiscard]] __device__ bool may_test() const {
+    const State& state = *sink.state;
+    return state.violations == 0 && state.candidates <= candidate_limit;
+  }
+  [[nodiscard]] __device__ std::uint64_t entries() const { return sink.state->entries; }
+  [[nodiscard]] __device__ std::uint32_t cell_id_at(std::uint64_t entry) const {
+    return cell_ids != nullptr ? cell_ids[entry] : 0;
+  }
+  [[nodiscard]] __device__ Member gather(std::uint64_t entry) const {
+    const Object object = objects != nullptr ? objects[entry] : static_cast<Object>(entry);
+    Sphere s = load_sphere(spheres, object & kIdMask);
+    s.r = band == Band::fast ? band_radius<Band::fast>(s.r) : band_radius<Band::safe>(s.r);
+    return {s, object};
+  }
+  [[nodiscard]] __device__ bool is_sure(const Sphere& a, const Sphere& b) const {
+    return band == Band::fast ? band_is_sure<Band::fast>(a, b) : band_is_sure<Band::safe>(a, b);
+  }
+
+  /// brute_force has one cell, so its crowded tiles need not be listed.
+  [[nodiscard]] __device__ std::uint64_t crowded_tile_count() const {
+    if (cell_ids != nullptr) return sink.state->crowded_tiles;
+    return entries() > 2 * kTile ? (entries() - 2 * kTile - 1) / kTile + 1 : 0;
+  }
+  [[nodiscard]] __device__ CrowdedTile crowded_tile(std::uint64_t number) const {
+    if (cell_ids != nullptr) return crowded_tiles[number];
+    return {static_cast<std::uint32_t>(number * kTile), static_cast<std::uint32_t>(entries())};
+  }
+};
+
+/// Entries next to each other in shared memory.
+template <int kRoom>
+struct Members {
+  float4 sphere[kRoom];
+  Object object[kRoom];
+
+  __device__ void put(int at, const Member& m) {
+    sphere[at] = {m.sphere.x, m.sphere.y, m.sphere.z, m.sphere.r};
+    object[at] = m.object;
+  }
+  [[nodiscard]] __device__ Member get(int at) const {
+    const float4 s = sphere[at];
+    return {{s.x, s.y, s.z, s.w}, object[at]};
+  }
+};
+
+/// One candidate a lane; lanes that are not `open` have none. All lanes of the warp call it.
+template <typename Sink>
+__device__ void test_pair(const Job& job, Sink& sink, bool open, const Member& a, const Member& b) {
+  const bool found = open && band_may_overlap(a.sphere, b.sphere) && job.rule.counts_here(a, b);
+  if (!__any_sync(kAllLanes, found)) return;
+  const bool sure = found && job.is_sure(a.sphere, b.sphere);
+  sink.take(sure, found && !sure, make_pair_of(a.id(), b.id()));
+}
+
+/// A tile, and behind it those entries of the next tile that lie in the same cell as its last.
+struct NearTile {
+  Members<2 * kTile> members;
+  std::uint32_t cell_id[2 * kTile];
+
+  /// Returns the number of entries. Spheres that are alone in their cell are not gathered.
+  __device__ int load(const Job& job, std::uint64_t begin) {
+    const auto t = static_cast<int>(threadIdx.x);
+    const std::uint64_t entries = job.entries();
+    const std::uint64_t here = begin + t;
+    const std::uint64_t next = here + kTile;
+    if (here < entries) cell_id[t] = job.cell_id_at(here);
+    const bool goes_on =
+        next < entries && job.cell_id_at(next) == job.cell_id_at(begin + kTile - 1);
+    if (goes_on) cell_id[t + kTile] = job.cell_id_at(next);
+    const int rows = static_cast<int>(min(std::uint64_t{kTile}, entries - begin));
+    const int size = rows + __syncthreads_count(goes_on);
+    if (here < entries && has_company(t, size)) members.put(t, job.gather(here));
+    if (goes_on) members.put(t + kTile, job.gather(next));
+    __syncthreads();
+    return size;
+  }
+
+ private:
+  [[nodiscard]] __device__ bool has_company(int at, int size) const {
+    const bool before = at > 0 && cell_id[at - 1] == cell_id[at];
+    return before || (at + 1 < size && cell_id[at + 1] == cell_id[at]);
+  }
+};
+
+template <typename Sink>
+__global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce) near_columns_kernel(Job job) {
+  __shared__ NearTile tile;
+  __shared__ typename Sink::Shared shared;
+  const std::uint64_t begin = std::uint64_t{blockIdx.x} * kTile;
+  if (begin >= job.entries() || !job.may_test()) return;
+  const int size = tile.load(job, begin);
+  Sink sink(job.sink, shared);
+
+  const auto t = static_cast<int>(threadIdx.x);
+  const auto in_same_cell = [&](int column) {
+    return column < size && tile.cell_id[column] == tile.cell_id[t];
+  };
+  bool open = in_same_cell(t + 1);
+  const Member row = open ? tile.members.get(t) : Member{};
+  open = open && job.rule.may_be_row(row);
+  for (int column = t + 1; __any_sync(kAllLanes, open); ++column) {
+    test_pair(job, sink, open, row, open ? tile.members.get(column) : Member{});
+    open = open && in_same_cell(column + 1);
+  }
+  sink.close();
+}
+
+/// Blocks (x, y): crowded tile x as rows, and every gridDim.y-th tile of columns behind the next.
+template <typename Sink>
+__global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce) far_columns_kernel(Job job) {
+  __shared__ Members<kTile> columns;
+  __shared__ typename Sink::Shared shared;
+  if (!job.may_test()) return;
+  const std::uint64_t tiles = job.crowded_tile_count();
+  if (blockIdx.x >= tiles) return;
+  Sink sink(job.sink, shared);
+
+  const auto t = static_cast<int>(threadIdx.x);
+  for (std::uint64_t number = blockIdx.x; number < tiles; number += gridDim.x) {
+    const CrowdedTile rows = job.crowded_tile(number);
+    const std::uint64_t tile_begin = rows.row_begin / kTile * std::uint64_t{kTile};
+    const Member row = job.gather(tile_begin + t);
+    const bool open = tile_begin + t >= rows.row_begin && job.rule.may_be_row(row);
+    const std::uint64_t stride = std::uint64_t{gridDim.y} * kTile;
+    for (std::uint64_t begin = tile_begin + (2 + blockIdx.y) * std::uint64_t{kTile};
+         begin < rows.cell_end; begin += stride) {
+      const int size = static_cast<int>(min(std::uint64_t{kTile}, rows.cell_end - begin));
+      __syncthreads();  // the columns before are done with
+      if (t < size) columns.put(t, job.gather(begin + t));
+      __syncthreads();
+      for (int c = 0; c < size; ++c) test_pair(job, sink, open, row, columns.get(c));
+    }
+  }
+  sink.close();
+}
+
+Job job_of(Workspace& w) {
+  const bool brute = w.brute_force();
+  State* const state = w.state.data();
+  return {.spheres = w.spheres.data(),
+          .cell_ids = brute ? nullptr : w.sorted().cell_ids.data(),
+          .objects = brute ? nullptr : w.sorted().objects.data(),
+          .crowded_tiles = w.crowded_tiles.data(),
+          .rule = {.every_pair = brute,
+                   .rule = w.plan.rule,
+                   .control_bits = w.control_bits.data(),
+                   .text_side = as_written::cell_side(w.plan.facts.r_max)},
+          .band = w.plan.band,
+          .candidate_limit = w.plan.candidate_limit,
+          .sink = {.pairs = {w.pairs.data(), w.plan.capacity.pairs, &state->pairs},
+                   .doubts = {w.doubts.data(), w.plan.capacity.doubts, &state->doubts},
+                   .spheres = w.spheres.data(),
+                   .state = state}};
+}
+
+template <typename Sink>
+void test_columns(Workspace& w, std::uint64_t most_entries) {
+  const Job job = job_of(w);
+  near_columns_kernel<Sink><<<blocks_for(most_entries), kBlockThreads, 0, w.stream>>>(job);
+  cuda::check_launch();
+  if (most_entries <= 2 * kTile) return;
+  // Enough blocks for a device whether there are many crowded tiles or a few with many columns.
+  const dim3 tiles_by_columns(256, 16);
+  far_columns_kernel<Sink><<<tiles_by_columns, kBlockThreads, 0, w.stream>>>(job);
+  cuda::check_launch();
+}
+
+}  // namespace
+
+void pair_tests(Workspace& w) {
+  const std::uint64_t most_entries = w.brute_force() ? w.sphere_count() : w.plan.capacity.ids;
+  if (w.sphere_count() == 0 || most_entries == 0) return;
+  if (w.plan.count_only) return test_columns<Count>(w, most_entries);
+  test_columns<Keep>(w, most_entries);
+}
+
+}  // namespace octocell::cuda_custom

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Stage 6, resolve: decide the doubts.
+// Reads doubts, spheres. Writes pairs, behind the sure ones.
+// Cost: a few doubts in a million pairs, but all pairs of a tangent lattice.
+// Idea: float64 with an error bound, error-free transformations, integers: the first that is
+//       certain answers. A kernel of its own keeps its registers out of stage 5.
+#include <algorithm>
+
+#include "impl_cuda_custom/exact.cuh"
+#include "impl_cuda_custom/pair_writer.cuh"
+
+namespace octocell::cuda_custom {
+namespace {
+
+constexpr std::uint64_t kMostBlocks = 2048;
+
+__global__ void __launch_bounds__(kBlockThreads)
+    resolve_kernel(const Pair* doubts, std::uint64_t capacity, const Sphere* spheres,
+                   PairList pairs, const State* state) {
+  __shared__ PairWriter::Shared shared;
+  const std::uint64_t count = state->doubts;
+  if (count > capacity) return;  // some were not kept; the next, larger plan's will be
+  PairWriter writer(pairs, shared);
+  const std::uint64_t stride = std::uint64_t{gridDim.x} * kBlockThreads;
+  std::uint64_t begin = std::uint64_t{blockIdx.x} * kBlockThreads;
+  if (begin >= count) return;
+  for (; begin < count; begin += stride) {
+    const std::uint64_t d = begin + threadIdx.x;
+    const Pair pair = d < count ? doubts[d] : Pair{};
+    writer.push(d < count && overlap(spheres, pair), pair);
+  }
+  writer.close();
+}
+
+}  // namespace
+
+void resolve(Workspace& w) {
+  const std::uint64_t room = w.plan.capacity.doubts;
+  if (w.plan.count_only || room == 0) return;  // stage 5 decided what it met
+  State* const state = w.state.data();
+  const auto blocks = static_cast<unsigned>(std::min<std::uint64_t>(blocks_for(room), kMostBlocks));
+  resolve_kernel<<<blocks, kBlockThreads, 0, w.stream>>>(
+      w.doubts.data(), room, w.spheres.data(),
+      {w.pairs.data(), w.plan.capacity.pairs, &state->pairs}, state);
+  cuda::check_launch();
+}
+
+}  // namespace octocell::cuda_custom

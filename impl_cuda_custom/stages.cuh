@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// The six stages of impl_cuda_custom, and what they hand on. Each queues kernels and returns: what
+// a stage found lies in State, on the device, where the next one looks.
+#pragma once
+
+#include <cuda_runtime.h>
+
+#include <cstdint>
+#include <optional>
+
+#include "harness/interface/chapter32.hpp"
+#include "harness/interface/cuda.cuh"
+#include "harness/interface/object_word.hpp"
+#include "harness/interface/pair.hpp"
+#include "harness/interface/plan.hpp"
+#include "impl_cuda_custom/radix_sort/radix_sort.cuh"
+
+namespace octocell::cuda_custom {
+
+/// Threads of a block, in every kernel here; rows and columns of a tile in stage 5.
+inline constexpr int kBlockThreads = 256;
+
+/// Bits of State::violations.
+inline constexpr std::uint32_t kInvalidSphere = 1;  // not finite, or a negative radius
+inline constexpr std::uint32_t kOutsidePlan = 2;    // beyond the plan's facts
+inline constexpr std::uint32_t kThreeCells = 4;     // rule chapter32's condition does not hold
+
+/// What was met so far. Counts go on past the end of a full buffer.
+struct State {
+  std::uint64_t ids = 0;
+  std::uint64_t entries = 0;  // what stages 3 to 5 work on: all ids, or none if something is amiss
+  std::uint64_t wide_spheres = 0;
+  std::uint64_t cells = 0;
+  std::uint64_t candidates = 0;
+  std::uint64_t crowded_tiles = 0;
+  std::uint64_t doubts = 0;
+  std::uint64_t pairs = 0;
+  std::uint64_t checksum = 0;  // of the pairs, in a count_only plan
+  std::uint32_t violations = 0;
+  std::uint32_t blocks_done = 0;  // of stage 2
+};
+
+/// A sphere that meets more cells than this has its phantoms written by many blocks, not by one.
+inline constexpr std::uint64_t kWidePhantoms = 2048;
+
+struct WideSphere {
+  std::uint32_t sphere;
+  std::uint32_t place;  // of its first phantom
+};
+
+/// Rows of one tile whose cell goes on behind the next tile. Tiles are aligned, so each entry lies
+/// in one; see stage 5.
+struct CrowdedTile {
+  std::uint32_t row_begin;
+  std::uint32_t cell_end;
+};
+
+struct IdArrays {
+  cuda::DeviceArray<std::uint32_t> cell_ids;
+  cuda::DeviceArray<Object> objects;
+};
+
+/// Everything the stages share. The arrays are sized by the plan; the stages allocate nothing.
+struct Workspace {
+  Plan plan;
+  SceneView scene;  // on the host: words about a sphere are made of it
+  cudaStream_t stream = nullptr;
+  std::optional<RadixSort> sorter;  // of method home_phantom
+
+  cuda::DeviceArray<State> state;                          // [1]
+  cuda::DeviceArray<Sphere> spheres;                       // [spheres]
+  IdArrays ids[2];                                         // [plan.capacity.ids]
+  cuda::DeviceArray<WideSphere> wide_spheres;              // [plan.capacity.ids / kWidePhantoms]
+  cuda::DeviceArray<char> sort_scratch;                    // what the sorter asks for
+  cuda::DeviceArray<chapter32::ControlBits> control_bits;  // [spheres], rule chapter32 only
+  cuda::DeviceArray<CrowdedTile> crowded_tiles;            // [plan.capacity.ids / kBlockThreads]
+  cuda::DeviceArray<Pair> doubts;                          // [plan.capacity.doubts]
+  cuda::DeviceArray<Pair> pairs;                           // [plan.capacity.pairs]
+
+  [[nodiscard]] std::uint64_t sphere_count() const { return scene.spheres.size(); }
+  [[nodiscard]] bool brute_force() const { return plan.method == Method::brute_force; }
+  [[nodiscard]] const IdArrays& sorted() const { return ids[sorter ? sorter->result_side() : 0]; }
+
+  /// Calls visit(array, elements) for each array, with the room that the plan asks for.
+  template <typename Visit>
+  void for_each_array(Visit visit) {
+    const Capacities& room = plan.capacity;
+    visit(state, 1);
+    visit(spheres, sphere_count());
+    for (IdArrays& side : ids) {
+      visit(side.cell_ids, room.ids);
+      visit(side.objects, room.ids);
+    }
+    visit(wide_spheres, room.ids / kWidePhantoms);
+    visit(sort_scratch, sorter ? sorter->scratch_bytes() : 0);
+    visit(control_bits, plan.rule == Rule::chapter32 ? sphere_count() : 0);
+    visit(crowded_tiles, room.ids / kBlockThreads);
+    visit(doubts, room.doubts);
+    visit(pairs, room.pairs);
+  }
+};
+
+/// Blocks for one thread per item.
+inline unsigned blocks_for(std::uint64_t items, std::uint64_t items_per_block = kBlockThreads) {
+  return static_cast<unsigned>((items + items_per_block - 1) / items_per_block);
+}
+
+void bounds(Workspace& w);
+void cell_ids(Workspace& w);
+void sort(Workspace& w);
+void cell_index(Workspace& w);
+void pair_tests(Workspace& w);
+void resolve(Workspace& w);
+
+}  // namespace octocell::cuda_custom
