@@ -22,11 +22,11 @@ DEVICE_RUNS = ("rotated", "graph", "transfers")
 TINY = ("--rounds", ROUNDS, "--benchmark_min_time=0.001")
 BACKEND_STAGES = ["bounds", "cell_ids", "sort", "cell_index", "pair_tests", "resolve"]
 CONTEXT = """date commit dirty version machine compiler flags instruction_set build_type libraries
-preset rounds candidate_limit finished""".split()
+preset rounds candidate_limit gpu finished""".split()
 GROUP = "scene n spec real unavailable frames truth".split()
 ROW = """name backend kind method rule scene n threads run exhibit known_faults status reason pairs
 checksum missed false duplicates candidates doubts iterations total_ms stage_ms marked_total_ms
-plan_ms fused peak_bytes device_bytes output_bytes""".split()
+plan_ms fused stage_bytes peak_bytes device_bytes output_bytes""".split()
 
 Json = dict[str, Any]
 
@@ -300,7 +300,7 @@ REFUSALS = {
     "bad_parameter": (["gas:n=-1"], ["n=-1"]),
     "missing_file": (["missing.csv"], ["missing.csv"]),
     "missing_second_file": (["gas:n=9", "missing.csv"], ["missing.csv"]),
-    "unknown_preset": (["--preset", "slow"], ["'slow'", "quick, full"]),
+    "unknown_preset": (["--preset", "slow"], ["'slow'", "quick, full, gpu"]),
     "unknown_preset_beside_scenes": (["gas:n=9", "--preset", "slow"], ["'slow'"]),
     "unknown_backend": (["gas:n=9", "--backend", "gpu"], ["'gpu'", "impl_cpu"]),
     "bad_filter": (["gas:n=9", "--benchmark_filter=("], ["'('"]),

@@ -139,7 +139,16 @@ class Bench {
     context["rounds"] = groups_.back().group.rounds;
     context["min_time_ms"] = options_.min_time_ms;
     context["candidate_limit"] = candidate_limit(options_);
+    context["gpu"] = uses_gpu() ? to_json(describe_gpu()) : nlohmann::ordered_json();
     return context;
+  }
+
+  [[nodiscard]] bool uses_gpu() const {
+    if (why_no_gpu()) return false;
+    return std::ranges::any_of(groups_, [](const PlannedGroup& planned) {
+      return std::ranges::any_of(planned.rows,
+                                 [](const RowSpec& row) { return row.how.backend->device; });
+    });
   }
 
   std::vector<Progress::Step> steps() const {
@@ -227,9 +236,19 @@ class Bench {
         show(group, *row->runner, row->step,
              fmt::format("round {} of {}", round + 1, group.rounds));
         const auto begin = std::chrono::steady_clock::now();
-        row->runner->measure(row_name(row->runner->row(), group));
+        measure(*row->runner, group);
         progress_.learn(row->step, seconds_since(begin), (2.0 + round) / (1.0 + group.rounds));
       }
+    }
+  }
+
+  /// What fitted once may not fit beside others: the device's memory is shared.
+  static void measure(RowRunner& runner, const Group& group) {
+    if (runner.result().skipped) return;
+    try {
+      runner.measure(row_name(runner.row(), group));
+    } catch (const LimitError& limit) {
+      runner.skip(limit.what());
     }
   }
 

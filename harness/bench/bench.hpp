@@ -10,7 +10,7 @@
 namespace octocell::bench {
 
 struct BenchOptions {
-  std::string preset = "quick";     // quick or full; which scenes, sizes and rounds
+  std::string preset = "quick";     // quick, full or gpu; which scenes, sizes and rounds
   std::vector<std::string> scenes;  // instead of the preset's
   std::string motion;               // sets those scenes in motion
   std::string trajectory;           // a folder of frames, *.npy

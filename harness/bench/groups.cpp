@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "harness/interface/error.hpp"
@@ -118,6 +119,24 @@ std::vector<Group> full_groups() {
   return groups;
 }
 
+/// For a machine with a GPU: time against size, every scene at a million, frames.
+std::vector<Group> gpu_groups() {
+  constexpr int kRounds = 21;
+  std::vector<Group> groups;
+  for (const std::uint64_t n : {10'000ULL, 100'000ULL, 1'000'000ULL}) {
+    add(groups, "gas", n, kRounds, Rows::headline);
+  }
+  for (const std::uint64_t n : {3'000'000ULL, 10'000'000ULL, 30'000'000ULL}) {
+    add(groups, "gas", n, kRounds, Rows::device_default);
+  }
+  for (const auto scene : kScenes) {
+    if (std::string_view(scene) != "gas") add(groups, scene, 1'000'000, kRounds, Rows::device);
+  }
+  add_motion(groups, Motion::brownian, 1'000'000, 12, 3);
+  groups.back().rows = Rows::headline;
+  return groups;
+}
+
 /// The caller's scenes, set in motion if the options say so.
 std::vector<Group> custom_groups(const BenchOptions& options) {
   std::vector<Group> groups;
@@ -148,11 +167,14 @@ Footage footage_of(const Group& group) {
 }
 
 std::vector<Group> choose_groups(const BenchOptions& options) {
-  if (options.preset != "quick" && options.preset != "full") {
-    throw InputError(fmt::format("unknown preset '{}'; known: quick, full", options.preset));
+  const std::map<std::string_view, std::vector<Group> (*)()> presets = {
+      {"quick", quick_groups}, {"full", full_groups}, {"gpu", gpu_groups}};
+  const auto preset = presets.find(options.preset);
+  if (preset == presets.end()) {
+    throw InputError(fmt::format("unknown preset '{}'; known: quick, full, gpu", options.preset));
   }
   std::vector<Group> groups = custom_groups(options);
-  if (groups.empty()) groups = options.preset == "quick" ? quick_groups() : full_groups();
+  if (groups.empty()) groups = preset->second();
   make_labels_distinct(groups);
   if (options.rounds) {
     for (Group& group : groups) group.rounds = *options.rounds;

@@ -13,9 +13,12 @@ namespace octocell::bench {
 
 /// Which rows a group has time for.
 enum class Rows : std::uint8_t {
-  fast,   // the default rule of each backend, and each library's fastest
-  usual,  // all methods and rules, and the broad phases that are meant for many spheres
-  every,  // those that look at nearly all pairs, too
+  device_default,  // the default rule on a GPU
+  device,          // all that runs on a GPU
+  headline,        // the same, and our default rule on the host
+  fast,            // the default rule of each backend, and each library's fastest
+  usual,           // all methods and rules, and the broad phases that are meant for many spheres
+  every,           // those that look at nearly all pairs, too
 };
 
 /// Rows that are interleaved with each other: one scene at one size.

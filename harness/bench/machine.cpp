@@ -85,4 +85,10 @@ nlohmann::ordered_json describe_build_and_machine() {
       {"libraries", {{"fcl", baselines::fcl_version()}, {"bullet", baselines::bullet_version()}}}};
 }
 
+nlohmann::ordered_json to_json(const Gpu& gpu) {
+  return {{"name", gpu.name},
+          {"driver", gpu.driver},
+          {"copy_gigabytes_per_second", gpu.copy_gigabytes_per_second}};
+}
+
 }  // namespace octocell::bench

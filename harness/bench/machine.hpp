@@ -3,9 +3,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include "harness/bench/gpu.hpp"
+
 namespace octocell::bench {
 
 /// Where and from what the numbers come: machine, compiler, flags, commit, libraries, date.
 nlohmann::ordered_json describe_build_and_machine();
+
+/// {"name", "driver", "copy_gigabytes_per_second"}
+nlohmann::ordered_json to_json(const Gpu& gpu);
 
 }  // namespace octocell::bench

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "harness/bench/dynamic_row.hpp"
+#include "harness/bench/stage_bytes.hpp"
 
 namespace octocell::bench {
 namespace {
@@ -49,6 +50,12 @@ void add_times(Json& json, const Group& group, const RowSpec& row, const RowResu
   json["stage_ms"] = Json::object();
   for (const auto& [stage, times] : result.stage_ms) {
     json["stage_ms"][std::string(name_of(stage))] = times;
+  }
+  json["stage_bytes"] = Json::object();
+  if (row.how.backend->device && !result.skipped) {
+    for (const auto& [stage, bytes] : stage_bytes(row.how.method, group.n, result.counts)) {
+      json["stage_bytes"][std::string(name_of(stage))] = bytes;
+    }
   }
   json["marked_total_ms"] = result.marked_total_ms;
   json["plan_ms"] = row.how.is_baseline() ? Json() : Json(result.plan_ms);

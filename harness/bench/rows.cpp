@@ -20,6 +20,11 @@ bool has_time_for(const Implementation& how, Rows rows) {
   const auto is_among = [&](const auto& names) {
     return std::ranges::find(names, how.backend->name) != std::end(names);
   };
+  const bool is_default = how.has_rule() && how.rule == Rule::lowest_cell;
+  const bool on_device = how.backend->device;
+  if (rows == Rows::device_default) return on_device && is_default;
+  if (rows == Rows::device) return on_device;
+  if (rows == Rows::headline) return on_device || is_default;
   if (rows == Rows::fast) return how.is_baseline() ? is_among(kFastBaselines) : how.has_rule();
   return rows == Rows::every || !is_among(kSlowBaselines);
 }

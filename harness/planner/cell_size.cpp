@@ -107,7 +107,7 @@ WorkEstimate estimate_work(const SceneStats& stats, const Grid& grid, const Cost
   const double spread = work.ids / count;
   const double uniform = work.ids * work.ids / 2.0 / std::ldexp(1.0, grid.key_bits);
   work.candidates = std::max(uniform, home_pairs_by_sample(stats, grid) * spread * spread);
-  const double passes = std::ceil(grid.key_bits / 8.0);
+  const double passes = sort_passes(grid.key_bits, costs.digit_bits);
   work.cost_ns = work.ids * (costs.per_id + costs.per_id_and_pass * passes) +
                  work.candidates * costs.per_candidate;
   return work;

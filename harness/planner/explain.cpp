@@ -30,7 +30,8 @@ std::string explain(const Plan& plan) {
   } else {
     text += fmt::format("method: home_phantom, rule {}\n", name_of(plan.rule));
     text += explain_grid(plan);
-    text += fmt::format("sort: {} passes of 8 bits\n", (plan.grid.key_bits + 7) / 8);
+    text += fmt::format("sort: {} passes over {} bits\n",
+                        sort_passes(plan.grid.key_bits, plan.sort_digit_bits), plan.grid.key_bits);
   }
   text += plan.band == Band::fast
               ? "predicate: fast band (every nonzero radius lies in [2^-60, 2^62])\n"

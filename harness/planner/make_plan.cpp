@@ -127,6 +127,7 @@ Plan make_plan(const SceneStats& seen, const PlanOptions& options) {
   plan.method = options.method;
   plan.rule = options.rule;
   plan.threads = std::max(options.threads, 1);
+  plan.sort_digit_bits = options.costs.digit_bits;
   plan.count_only = options.count_only;
   plan.candidate_limit = options.candidate_limit;
   plan.facts = stats.facts;

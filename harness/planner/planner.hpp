@@ -14,8 +14,9 @@ namespace octocell {
 /// The defaults are one CPU's (docs/decisions/0004-cell-size.md).
 struct Costs {
   double per_id = 17.0;          // to make it, and to look at it in stages 4 and 5
-  double per_id_and_pass = 2.2;  // to sort it by 8 bits
+  double per_id_and_pass = 2.2;  // to sort it by one digit
   double per_candidate = 0.4;
+  int digit_bits = 8;            // the most that one pass sorts by
 };
 
 /// What a caller may fix; the planner decides the rest.

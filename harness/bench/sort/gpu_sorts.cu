@@ -154,36 +154,7 @@ class Case final : public GpuSortCase {
   DeviceArray<char> scratch_;  // of the sort that needs most so far
 };
 
-/// The fastest of several copies of a block that no cache holds.
-double copy_gigabytes_per_second() {
-  constexpr std::size_t kBytes = std::size_t{1} << 30;
-  DeviceArray<char> from;
-  DeviceArray<char> to;
-  from.allocate(kBytes);
-  to.allocate(kBytes);
-  const Stream stream;
-  check(cudaMemsetAsync(from.data(), 1, kBytes, stream));
-  const Event begin;
-  const Event end;
-  float best_ms = 1e9F;
-  for (int repetition = 0; repetition < 10; ++repetition) {
-    begin.record(stream);
-    check(cudaMemcpyAsync(to.data(), from.data(), kBytes, cudaMemcpyDeviceToDevice, stream));
-    end.record(stream);
-    best_ms = std::min(best_ms, end.ms_since(begin));
-  }
-  return 2.0 * kBytes / (best_ms * 1e6);
-}
-
 }  // namespace
-
-std::optional<std::string> why_no_gpu() {
-  int count = 0;
-  const cudaError_t result = cudaGetDeviceCount(&count);
-  if (result == cudaSuccess && count > 0) return std::nullopt;
-  return std::string("no CUDA device: ") +
-         cudaGetErrorString(result == cudaSuccess ? cudaErrorNoDevice : result);
-}
 
 const std::vector<std::string_view>& gpu_algorithms() {
   static const std::vector<std::string_view> all = {
@@ -191,13 +162,7 @@ const std::vector<std::string_view>& gpu_algorithms() {
   return all;
 }
 
-GpuDescription describe_gpu() {
-  int device = 0;
-  cudaDeviceProp properties;
-  check(cudaGetDevice(&device));
-  check(cudaGetDeviceProperties(&properties, device));
-  return {properties.name, cub_baseline::version(), copy_gigabytes_per_second()};
-}
+std::string cub_version() { return cub_baseline::version(); }
 
 std::unique_ptr<GpuSortCase> make_gpu_sort_case(const std::vector<std::uint32_t>& keys, int bits) {
   return std::make_unique<Case>(keys, bits);

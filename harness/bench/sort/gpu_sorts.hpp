@@ -12,19 +12,10 @@
 
 namespace octocell::bench {
 
-/// Why no sort can run on a device here; nothing where one can.
-std::optional<std::string> why_no_gpu();
-
 /// The ladder, then CUB.
 const std::vector<std::string_view>& gpu_algorithms();
 
-struct GpuDescription {
-  std::string name;
-  std::string cub_version;
-  double copy_gigabytes_per_second;  // read and written: what no sort can be faster than
-};
-/// Measures the copy, so call it once.
-GpuDescription describe_gpu();
+std::string cub_version();
 
 struct GpuRun {
   double ms;

@@ -9,6 +9,7 @@
 #include <random>
 #include <regex>
 
+#include "harness/bench/gpu.hpp"
 #include "harness/bench/interrupts.hpp"
 #include "harness/bench/machine.hpp"
 #include "harness/bench/progress.hpp"
@@ -179,10 +180,8 @@ class SortBench {
     context["gpu"] = Json();
     context["gpu_reason"] = Json();
     if (!gpu_cases_.empty()) {
-      const GpuDescription gpu = describe_gpu();
-      context["gpu"] = {{"name", gpu.name},
-                        {"copy_gigabytes_per_second", gpu.copy_gigabytes_per_second}};
-      context["libraries"]["cub"] = gpu.cub_version;
+      context["gpu"] = to_json(describe_gpu());
+      context["libraries"]["cub"] = cub_version();
     } else if (const auto reason = why_no_gpu(); reason && options_.device == "all") {
       context["gpu_reason"] = *reason;
     }

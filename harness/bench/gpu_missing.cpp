@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+#include "harness/bench/gpu.hpp"
+#include "harness/interface/error.hpp"
+
+namespace octocell::bench {
+
+std::optional<std::string> why_no_gpu() { return "built without nvcc"; }
+Gpu describe_gpu() { throw Error(*why_no_gpu()); }
+
+}  // namespace octocell::bench

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "harness/bench/stage_bytes.hpp"
+
+#include "harness/interface/pair.hpp"
+#include "harness/interface/sphere.hpp"
+
+namespace octocell::bench {
+
+std::map<Stage, std::uint64_t> stage_bytes(Method method, std::uint64_t spheres,
+                                           const Counts& counts) {
+  constexpr std::uint64_t kIdBytes = 4;
+  constexpr std::uint64_t kEntryBytes = 8;  // a cell id and its object
+  const std::uint64_t scene = spheres * sizeof(Sphere);
+  const std::uint64_t entries = counts.ids * kEntryBytes;
+  const std::uint64_t sure_pairs = counts.pairs * sizeof(Pair);  // resolve adds a few of them
+  std::map<Stage, std::uint64_t> bytes = {
+      {Stage::bounds, scene},
+      {Stage::pair_tests, scene + sure_pairs},
+      {Stage::resolve, counts.doubts * (2 * sizeof(Sphere) + sizeof(Pair))}};
+  if (method == Method::brute_force) return bytes;
+  bytes[Stage::cell_ids] = scene + entries;
+  bytes[Stage::sort] = 2 * entries;
+  bytes[Stage::cell_index] = counts.ids * kIdBytes;
+  bytes[Stage::pair_tests] += entries;
+  return bytes;
+}
+
+}  // namespace octocell::bench
