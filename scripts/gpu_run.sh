@@ -60,6 +60,9 @@ large() {
 }
 
 for step in "${@:-tests check}"; do
-  for name in $step; do "$name"; done
+  for name in $step; do
+    declare -F "$name" >/dev/null || { say "no step $name"; exit 2; }
+    "$name"
+  done
 done
 [ ! -e "$failures" ]
