@@ -46,10 +46,15 @@ is_text: Check = ("text", lambda v: isinstance(v, str))
 is_bool: Check = ("true or false", lambda v: isinstance(v, bool))
 is_whole: Check = ("a whole number, 0 or more", whole)
 is_number: Check = ("a number, 0 or more", number)
+is_positive: Check = ("a number above 0", lambda v: number(v) and v > 0)
 is_times: Check = ("a list of times, 0 or more", numbers)
 is_stages: Check = (
     "an object of lists of times",
     lambda v: isinstance(v, dict) and all(numbers(t) for t in v.values()),
+)
+is_bytes: Check = (
+    "an object of whole numbers, 0 or more",
+    lambda v: isinstance(v, dict) and all(whole(b) for b in v.values()),
 )
 is_frames: Check = (
     "a list of rounds, each a list of times",
@@ -79,3 +84,7 @@ class Fields:
             shown = shown if len(shown) <= 40 else shown[:37] + "..."
             raise ReportError(f"{self.title}: field '{key}' is {shown}, not {check[0]}")
         return found
+
+    def optional(self, key: str, check: Check) -> Any:
+        """None where the object has no such field."""
+        return self.take(key, check) if key in self.value else None

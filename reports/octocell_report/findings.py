@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
+from itertools import product
 from statistics import median
 
 from octocell_report import check, dynamic, tables, words
-from octocell_report.language import tell
+from octocell_report.language import listed, spanned, tell
 from octocell_report.load import Result, Row
 
 
@@ -20,21 +20,17 @@ def overview(result: Result, language: str = "en") -> list[str]:
         found.append(_exhibits(result, language))
     if verdict.excused:
         names = list(dict.fromkeys(words.labels(result)[row.impl] for row in verdict.excused))
-        values = {"rows": len(verdict.excused), "names": _listed(names, language)}
+        values = {"rows": len(verdict.excused), "names": listed(names, language)}
         found.append(tell(language, "excused", **values))
     if verdict.skipped:
         key = "rows_skipped_one" if verdict.skipped == 1 else "rows_skipped"
         found.append(tell(language, key, rows=verdict.skipped))
     if result.absent:
-        listed = [f"{backend} ({reason})" for backend, reason in result.absent.items()]
-        found.append(tell(language, "absent", backends=_listed(listed, language)))
+        reasons = [f"{backend} ({reason})" for backend, reason in result.absent.items()]
+        found.append(tell(language, "absent", backends=listed(reasons, language)))
     if verdict.unavailable:
-        found.append(tell(language, "not_there", scenes=_listed(verdict.unavailable, language)))
+        found.append(tell(language, "not_there", scenes=listed(verdict.unavailable, language)))
     return found + speed(result, "warm", language)
-
-
-def _listed(parts: list[str], language: str) -> str:
-    return tell(language, "comma").join(parts)
 
 
 def _exhibits(result: Result, language: str) -> str:
@@ -47,16 +43,11 @@ def _exhibits(result: Result, language: str) -> str:
         if row.missed and (pairs := truth[row.place]) is not None and pairs > 0
     ]
     rules = list(dict.fromkeys(words.labels(result)[row.impl] for row in rows))
-    text = tell(language, "exhibits", rows=len(rows), rules=_listed(rules, language))
+    text = tell(language, "exhibits", rows=len(rows), rules=listed(rules, language))
     if not shares:
         return tell(language, "exhibits_missed_none", exhibits=text)
-    share = _range(shares, words.number, language)
+    share = spanned(shares, words.number, language)
     return tell(language, "exhibits_missed", exhibits=text, share=share)
-
-
-def _range(values: list[float], show: Callable[[float], str], language: str) -> str:
-    low, high = show(min(values)), show(max(values))
-    return low if low == high else tell(language, "range", low=low, high=high)
 
 
 def time(result: Result, run: str, language: str = "en") -> list[str]:
@@ -66,7 +57,7 @@ def time(result: Result, run: str, language: str = "en") -> list[str]:
     slopes: dict[str, list[float]] = {}
     for scene in result.scenes:
         curves = tables.curves(result, scene, run)
-        place = result.largest(scene)
+        place = tables.compared(result, scene, run)
         last = [row for rows in curves.values() for row in rows if row.place == place]
         if last:
             winners[labels[min(last, key=lambda row: row.median_ms).impl]] += 1
@@ -85,20 +76,20 @@ def _time_sentences(
     found = []
     if winners:
         parts = [tell(language, "won", name=n, scenes=count) for n, count in winners.most_common()]
-        scenes, listed = _scenes(winners.total(), language), _listed(parts, language)
-        found.append(tell(language, "fastest", scenes=scenes, winners=listed))
+        scenes, names = _scenes(winners.total(), language), listed(parts, language)
+        found.append(tell(language, "fastest", scenes=scenes, winners=names))
     if slopes:
         grown = [
-            f"{who} {_range(b, lambda v: f'n^{v:.2f}', language)}" for who, b in slopes.items()
+            f"{who} {spanned(b, lambda v: f'n^{v:.2f}', language)}" for who, b in slopes.items()
         ]
-        found.append(tell(language, "grows", slopes=_listed(grown, language)))
+        found.append(tell(language, "grows", slopes=listed(grown, language)))
     return found
 
 
 def _single_sizes(result: Result, run: str, language: str) -> list[str]:
     held = {row.place.scene for row in result.rows if row.run == run}
     single = [scene for scene in result.scenes if len(_sizes(result, scene)) == 1 and scene in held]
-    return [tell(language, "one_size", scenes=_listed(single, language))] if single else []
+    return [tell(language, "one_size", scenes=listed(single, language))] if single else []
 
 
 def _sizes(result: Result, scene: str) -> list[int]:
@@ -109,12 +100,13 @@ def _scenes(n: int, language: str) -> str:
     return tell(language, "scenes_one" if n == 1 else "scenes", scenes=n)
 
 
-def stages(result: Result, kind: str, language: str = "en") -> list[str]:
-    """Where the fastest exact row of that kind spends its time, scene by scene."""
+def stages(result: Result, side: str, language: str = "en") -> list[str]:
+    """Where the fastest exact row of that side spends its time, scene by scene."""
+    impls = result.impls_of(side)
     heaviest: Counter[str] = Counter()
     shares: dict[str, list[float]] = {}
-    for place in filter(None, map(result.largest, result.scenes)):
-        rows = [r for r in result.at(place, "warm") if r.kind == kind and r.counts and r.stage_ms]
+    for place in tables.largest(result, "warm", impls):
+        rows = [r for r in result.at(place, "warm") if r.impl in impls and r.counts and r.stage_ms]
         if not rows:
             continue
         stage, share = _heaviest(min(rows, key=lambda row: row.median_ms))
@@ -124,10 +116,10 @@ def stages(result: Result, kind: str, language: str = "en") -> list[str]:
         return []
     parts = []
     for stage, count in heaviest.most_common():
-        part = _range(shares[stage], lambda v: f"{v:.0f}", language)
+        part = spanned(shares[stage], lambda v: f"{v:.0f}", language)
         parts.append(tell(language, "heaviest_one", stage=stage, scenes=count, share=part))
-    scenes, listed = _scenes(heaviest.total(), language), _listed(parts, language)
-    return [tell(language, f"heaviest_{kind}", scenes=scenes, stages=listed)]
+    scenes, names = _scenes(heaviest.total(), language), listed(parts, language)
+    return [tell(language, f"heaviest_{side}", scenes=scenes, stages=names)]
 
 
 def _heaviest(row: Row) -> tuple[str, float]:
@@ -139,8 +131,8 @@ def _heaviest(row: Row) -> tuple[str, float]:
 def per_sphere(result: Result, language: str = "en") -> list[str]:
     """How much the dearest scene costs over the cheapest, for each of our implementations."""
     labels, found = words.labels(result), []
-    for impl in result.impls_of("backend"):
-        places = [p for p in map(result.largest, result.scenes) if p]
+    for impl in [*result.impls_of("backend"), *result.impls_of("device")]:
+        places = tables.largest(result, "warm", result.impls_of(result.sides[impl]))
         rows = [r for p in places for r in result.at(p, "warm") if r.impl == impl and r.counts]
         if len(rows) < 2:
             continue
@@ -159,13 +151,14 @@ def per_sphere(result: Result, language: str = "en") -> list[str]:
 
 
 def speed(result: Result, run: str, language: str = "en") -> list[str]:
-    """Our fastest exact row of each group against each library's fastest."""
-    every = tables.ratios(result, run)
+    """Our fastest exact row of each group, on host and device, against each library's fastest."""
+    every, sides = tables.ratios(result, run), result.sides
+    ran = {sides[ratio.impl] for ratio in every}
     found = []
-    for family in tables.families(result):
+    for side, family in product(("backend", "device"), tables.families(result)):
         best: dict[tuple[str, int], float] = {}
         for ratio in every:
-            if ratio.family == family:
+            if ratio.family == family and sides[ratio.impl] == side:
                 best[ratio.place] = max(ratio.median, best.get(ratio.place, 0.0))
         if not best:
             continue
@@ -174,10 +167,11 @@ def speed(result: Result, run: str, language: str = "en") -> list[str]:
             language,
             "speed",
             run=tell(language, f"speed_{run}"),
+            where=tell(language, f"where_{side}") if "device" in ran else "",
             family=words.family_title(family),
             ahead=sum(value > 1 for value in values),
             groups=len(values),
-            ratios=_range(values, words.ratio, language),
+            ratios=spanned(values, words.ratio, language),
             median=words.ratio(median(values)),
         )
         found.append(sentence)
@@ -216,7 +210,7 @@ def correctness(result: Result, language: str = "en") -> list[str]:
         where = f"{words.place(row.place)} ({words.losses(row)})"
         places.setdefault(labels[row.impl], {})[where] = None
     return [check.headline(verdict, language)] + [
-        tell(language, "wrong_on", name=label, places=_listed(list(where), language))
+        tell(language, "wrong_on", name=label, places=listed(list(where), language))
         for label, where in places.items()
     ]
 
@@ -224,13 +218,13 @@ def correctness(result: Result, language: str = "en") -> list[str]:
 def memory(result: Result, language: str = "en") -> list[str]:
     """The least and the most that each kind needs, over the largest sizes."""
     needs: dict[str, list[float]] = {"backend": [], "baseline": []}
-    for place in filter(None, map(result.largest, result.scenes)):
+    for place in tables.measured_memory(result):
         for row in tables.memory(result, place).values():
             need = tables.beyond_bytes(row)
             if row.counts and need is not None:
                 needs[row.kind].append(need)
     parts = [
-        f"{tell(language, who)} {_range(values, words.grouped, language)}"
+        f"{tell(language, who)} {spanned(values, words.grouped, language)}"
         for who, values in (("ours", needs["backend"]), ("the_baselines", needs["baseline"]))
         if values
     ]

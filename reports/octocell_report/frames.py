@@ -7,8 +7,8 @@ from statistics import median
 
 import pandas as pd
 
-from octocell_report import dynamic, tables, words
-from octocell_report.load import RUNS, Result
+from octocell_report import bandwidth, dynamic, tables, words
+from octocell_report.load import DEVICE_RUNS, RUNS, Result
 
 
 def times_frame(result: Result) -> pd.DataFrame:
@@ -38,6 +38,7 @@ def times_frame(result: Result) -> pd.DataFrame:
             "candidates_per_pair": tables.candidates_per_pair(result, row),
             "doubts": row.doubts,
             "bytes_per_sphere_beyond": tables.beyond_bytes(row),
+            "device_bytes": row.device_bytes,
         }
         for row in result.rows
         if row.status != "skipped"
@@ -54,7 +55,7 @@ def slopes_frame(result: Result) -> pd.DataFrame:
             "sizes": len(rows),
             "slope": tables.slope(rows),
         }
-        for run in tables.runs(result)
+        for run in (*tables.runs(result), *DEVICE_RUNS)
         for scene in result.scenes
         for impl, rows in tables.curves(result, scene, run).items()
         if tables.slope(rows) is not None
@@ -100,6 +101,28 @@ def stages_frame(result: Result) -> pd.DataFrame:
         for stage, host in row.fused.items():
             found.append(head | {"stage": stage, "median_ms": None, "fused_into": host})
     return pd.DataFrame(found)
+
+
+def bandwidth_frame(result: Result) -> pd.DataFrame:
+    """Long form; what a stage must move over the time that it took."""
+    labels = words.labels(result)
+    return pd.DataFrame(
+        {
+            "scene": rate.row.place.scene,
+            "n": rate.row.place.n,
+            "implementation": labels[rate.row.impl],
+            "run": rate.row.run,
+            "stage": rate.stage,
+            "least_bytes": rate.least_bytes,
+            "median_ms": rate.ms,
+            "gigabytes_per_second": rate.gbps,
+            "copy_gigabytes_per_second": result.gpu.copy_gbps if result.gpu else None,
+            "share_of_copy": rate.share,
+            "too_little_to_tell": rate.tiny,
+        }
+        for row in bandwidth.rows(result)
+        for rate in bandwidth.rates(result, row)
+    )
 
 
 def motion_frame(result: Result) -> pd.DataFrame:
@@ -165,6 +188,7 @@ _FRAMES = {
     "slopes": slopes_frame,
     "ratios": ratios_frame,
     "stages": stages_frame,
+    "bandwidth": bandwidth_frame,
     "frames": motion_frame,
     "correctness": correctness_frame,
     "skipped": skipped_frame,

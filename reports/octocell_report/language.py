@@ -31,6 +31,16 @@ def tell(language: str, key: str, **values: object) -> str:
     return TEXTS[language][key].format(**values)
 
 
+def listed(parts: list[str], language: str) -> str:
+    return tell(language, "comma").join(parts)
+
+
+def spanned(values: list[float], show: Callable[[float], str], language: str) -> str:
+    """'2 to 5', or one number if both ends read alike."""
+    low, high = show(min(values)), show(max(values))
+    return low if low == high else tell(language, "range", low=low, high=high)
+
+
 def say(key: str, **values: object) -> Said:
     """The text in both languages; a value that is Said itself goes in by language."""
     return both(lambda language: tell(language, key, **_spoken(values, language)))

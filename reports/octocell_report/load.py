@@ -5,17 +5,20 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 from typing import Any, NamedTuple
 
+from octocell_report.context import Gpu, check_context, gpu_of
 from octocell_report.fields import (
     Check,
     Fields,
     Json,
     ReportError,
     is_bool,
+    is_bytes,
     is_list,
     is_names,
     is_number,
@@ -30,11 +33,11 @@ from octocell_report.fields import (
 from octocell_report.motion import Motion, motion_of
 
 SCHEMA = 1
-RUNS = (
-    "cold", "warm", "rotated", "graph", "transfers", "first_update", "update", "dynamic"
-)
+DEVICE_RUNS = ("rotated", "graph", "transfers")  # of backends on a device, beside cold and warm
+RUNS = ("cold", "warm", *DEVICE_RUNS, "first_update", "update", "dynamic")
 STATUSES = ("ok", "wrong", "skipped")
 KINDS = ("backend", "baseline")
+SIDES = ("backend", "device", "baseline")  # ours on the host, ours on a device, and the others
 # In the order in which they run; the JSON may hold them in any.
 STAGES = (
     *("bounds", "cell_ids", "sort", "cell_index", "pair_tests", "resolve"),
@@ -94,7 +97,9 @@ class Row:
     stage_ms: dict[str, tuple[float, ...]]
     fused: dict[str, str]  # stage -> the stage whose time holds it
     plan_ms: float | None
+    stage_bytes: dict[str, int]  # the least that a stage must read and write; empty if unknown
     peak_bytes: int | None
+    device_bytes: int | None  # the most device memory at a time; null on the host
     output_bytes: int | None
     motion: Motion | None  # of dynamic rows only, and not of all
     known_faults: str  # why its library can lose pairs however it is driven; empty if it cannot
@@ -127,6 +132,7 @@ class Result:
     groups: list[Group]
     rows: list[Row]
     absent: dict[str, str]  # backends that could not run at all, and why; they have no rows here
+    gpu: Gpu | None = None  # that the device rows ran on
 
     @property
     def impls(self) -> list[Impl]:
@@ -136,9 +142,17 @@ class Result:
             seen.setdefault(row.impl, row.kind)
         return sorted(seen, key=lambda impl: KINDS.index(seen[impl]))
 
-    def impls_of(self, kind: str) -> list[Impl]:
-        kinds = {row.impl: row.kind for row in self.rows}
-        return [impl for impl in self.impls if kinds[impl] == kind]
+    def impls_of(self, side: str) -> list[Impl]:
+        sides = self.sides
+        return [impl for impl in self.impls if sides[impl] == side]
+
+    @property
+    def sides(self) -> dict[Impl, str]:
+        """Which of SIDES each is on; a backend is on a device if it takes memory there."""
+        on_device = {row.impl.backend for row in self.rows if row.device_bytes is not None}
+        return {
+            row.impl: "device" if row.impl.backend in on_device else row.kind for row in self.rows
+        }
 
     @property
     def scenes(self) -> list[str]:
@@ -151,9 +165,12 @@ class Result:
     def at(self, place: Place, run: str) -> list[Row]:
         return [row for row in self.rows if row.place == place and row.run == run]
 
-    def largest(self, scene: str) -> Place | None:
-        """The scene at its largest size that has spheres."""
+    def largest(self, scene: str, fits: Callable[[Row], bool] | None = None) -> Place | None:
+        """The scene at its largest size that has spheres, and a row that fits if that is asked."""
         sizes = [n for n in self.sizes(scene) if n > 0]
+        if fits is not None:
+            met = {row.place.n for row in self.rows if row.place.scene == scene and fits(row)}
+            sizes = [n for n in sizes if n in met]
         return Place(scene, sizes[-1]) if sizes else None
 
 
@@ -181,12 +198,13 @@ def parse(document: Any) -> Result:
     if document["schema"] != SCHEMA or isinstance(document["schema"], bool):
         raise ReportError(f"schema {document['schema']!r} is not the schema {SCHEMA} read here")
     context = Fields(document, "result").take("context", is_object)
-    _check_context(context)
+    check_context(context)
     groups = [_group(item, i) for i, item in enumerate(_list(document, "groups"))]
     rows = [_row(item, i) for i, item in enumerate(_list(document, "rows"))]
     _check_together(groups, rows)
     absent = _absent(rows)
-    return Result(context, groups, [r for r in rows if r.impl.backend not in absent], absent)
+    present = [row for row in rows if row.impl.backend not in absent]
+    return Result(context, groups, present, absent, gpu_of(context))
 
 
 def _absent(rows: list[Row]) -> dict[str, str]:
@@ -206,33 +224,6 @@ def _absent(rows: list[Row]) -> dict[str, str]:
 def _list(document: Json, key: str) -> list[Any]:
     found: list[Any] = Fields(document, "result").take(key, is_list)
     return found
-
-
-_CONTEXT_TEXTS = (
-    "date",
-    "commit",
-    "version",
-    "compiler",
-    "flags",
-    "instruction_set",
-    "build_type",
-    "preset",
-)
-
-
-def _check_context(context: Json) -> None:
-    fields = Fields(context, "context")
-    for key in _CONTEXT_TEXTS:
-        fields.take(key, is_text)
-    for key in ("dirty", "finished"):
-        fields.take(key, is_bool)
-    fields.take("rounds", is_whole)
-    fields.take("libraries", is_object)
-    machine = Fields(fields.take("machine", is_object), "context.machine")
-    for key in ("name", "cpu", "os"):
-        machine.take(key, is_text)
-    for key in ("cores", "memory_bytes"):
-        machine.take(key, is_whole)
 
 
 def _group(item: Any, index: int) -> Group:
@@ -272,6 +263,12 @@ _MEASURED: dict[str, Check] = {
     "output_bytes": or_null(is_whole),
 }
 
+# The same, but files written before these were measured do not have them.
+_OPTIONAL: dict[str, Check] = {
+    "stage_bytes": or_null(is_bytes),
+    "device_bytes": or_null(is_whole),
+}
+
 
 def _row(item: Any, index: int) -> Row:
     fields = Fields(item, f"row {index}")
@@ -293,23 +290,20 @@ def _row(item: Any, index: int) -> Row:
         exhibit=fields.take("exhibit", is_bool),
         status=status,
         reason=fields.take("reason", is_text if status == "skipped" else or_null(is_text)),
-        known_faults=_optional_text(fields, "known_faults"),
+        known_faults=fields.optional("known_faults", or_null(is_text)) or "",
         **(_unmeasured() if status == "skipped" else _measured(fields)),
     )
 
 
-def _optional_text(fields: Fields, key: str) -> str:
-    found: str | None = fields.take(key, or_null(is_text)) if key in fields.value else None
-    return found or ""
-
-
 def _unmeasured() -> Json:
-    nothing: Json = dict.fromkeys(_MEASURED)
-    return nothing | {"total_ms": (), "stage_ms": {}, "fused": {}, "motion": None}
+    nothing: Json = dict.fromkeys([*_MEASURED, *_OPTIONAL, "motion"])
+    return nothing | {"total_ms": (), "stage_ms": {}, "stage_bytes": {}, "fused": {}}
 
 
 def _measured(fields: Fields) -> Json:
     found = {key: fields.take(key, check) for key, check in _MEASURED.items()}
+    found |= {key: fields.optional(key, check) for key, check in _OPTIONAL.items()}
+    found["stage_bytes"] = found["stage_bytes"] or {}
     if not found["total_ms"]:
         raise ReportError(f"{fields.title}: field 'total_ms' has no round")
     found["total_ms"] = tuple(found["total_ms"])

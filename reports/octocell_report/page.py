@@ -12,7 +12,17 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from matplotlib.figure import Figure
 from PIL import Image
 
-from octocell_report import check, findings, frames, language, page_tables, plots, style
+from octocell_report import (
+    check,
+    findings,
+    findings_gpu,
+    frames,
+    language,
+    page_tables,
+    plots,
+    style,
+    words,
+)
 from octocell_report.files import staged_folder
 from octocell_report.language import Said, all_of, both, say
 from octocell_report.load import Result
@@ -23,6 +33,9 @@ _ORDER = (
     *(f"time_{run}" for run in ("warm", "cold", "first_update", "update")),
     "dynamic",
     "stages_backend",
+    "stages_device",
+    "bandwidth",
+    "bandwidth_by_size",
     "stages_baseline",
     "stages_per_sphere",
     *(f"speed_{run}" for run in ("warm", "cold", "first_update", "update")),
@@ -88,10 +101,21 @@ def render(result: Result, images: Path) -> str:
         sections=sections(result, images),
         times=page_tables.times(result),
         speedups=page_tables.speedups(result),
+        gpu=page_tables.gpu(result),
+        gpu_seen=all_of(lambda spoken: findings_gpu.runs(result, spoken)),
+        device=_device(result),
         frames=page_tables.frames(result),
         skipped=page_tables.skipped(result),
         unavailable=page_tables.unavailable(result),
     )
+
+
+def _device(result: Result) -> Said | None:
+    """The GPU in words; None without one."""
+    if result.gpu is None:
+        return None
+    copied = words.grouped(result.gpu.copy_gbps)
+    return say("gpu_text", name=result.gpu.name, copied=copied)
 
 
 def sections(result: Result, images: Path) -> list[Section]:
@@ -119,6 +143,8 @@ def _sentences(result: Result, name: str, spoken: str) -> list[str]:
         return findings.stages(result, variant, spoken)
     simple = {
         "correctness": findings.correctness,
+        "bandwidth": findings_gpu.bandwidths,
+        "bandwidth_by_size": findings_gpu.by_size,
         "dynamic": findings.moving,
         "memory": findings.memory,
     }

@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from statistics import median
 
-from octocell_report import dynamic, tables, words
+from octocell_report import dynamic, gpu_runs, tables, words
 from octocell_report.language import Said, say
 from octocell_report.load import Impl, Place, Result, Row
 from octocell_report.tables import DYNAMIC, Ratio
@@ -152,6 +152,39 @@ def _speedups(result: Result, run: str, ratios: list[Ratio]) -> Table:
 
 def _ratio_range(ratio: Ratio) -> str:
     return f"{words.ratio(min(ratio.rounds))} .. {words.ratio(max(ratio.rounds))}"
+
+
+def gpu(result: Result) -> Table | None:
+    """The runs of each backend on a device, side by side, and its memory; None without one."""
+    labels = words.labels(result)
+    every = gpu_runs.all_runs(result)
+    met = [run for run in gpu_runs.RUNS if any(run in runs.rows for runs in every)]
+    lines = []
+    for runs in every:
+        line = [
+            Cell(runs.place.scene, css="text"),
+            Cell(words.size(runs.place.n), value=runs.place.n),
+            Cell(labels[runs.impl], css="text"),
+            *(_device_time(runs, run) for run in met),
+            _number(runs.bytes_per_sphere),
+        ]
+        lines.append(Line(line))
+    columns = [
+        _column("scene", "text"),
+        _column("spheres"),
+        _column("implementation", "text"),
+        *((say("column_run_ms", run=run_name(run)), "") for run in met),
+        _column("device_bytes"),
+    ]
+    return Table(say("gpu_table"), columns, lines) if lines else None
+
+
+def _device_time(runs: gpu_runs.Runs, run: str) -> Cell:
+    """Below it how much of the warm run's time it is."""
+    cell, ratio = _time(runs.rows.get(run)), runs.to_warm(run)
+    if run == "warm" or ratio is None:
+        return cell
+    return replace(cell, small=words.ratio(ratio))
 
 
 def frames(result: Result) -> Table | None:

@@ -4,25 +4,32 @@
 <!-- octocell:speed -->
 (what stands here is replaced)
 <!-- /octocell:speed -->
+
+A marker may name the result that its block is written from, by its path from the file's folder:
+<!-- octocell:gpu_speed reports/results/h100/gpu.json -->. Else it is the one that was given.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from statistics import median
 
-from octocell_report import tables, words
+from octocell_report import readme_gpu, readme_sorts, sort, tables, words
 from octocell_report.fields import ReportError
 from octocell_report.files import replace_text
-from octocell_report.load import Impl, Place, Result, Row
+from octocell_report.load import Impl, Place, Result, Row, load
+from octocell_report.markdown import line as _line
+from octocell_report.markdown import rule as _rule
+from octocell_report.sort import SortResult
 
 SCENE = "gas"  # the plain scene: the table of speeds is about it alone
 NAMED = "bullet_dbvt"  # the baseline that ratios are also given to by name
 RUNS = ("cold", "warm")
 
-_MARKER = re.compile(r"<!--\s*(/?)octocell:([^\s>]*)\s*-->")
+_MARKER = re.compile(r"<!--\s*(/?)octocell:([^\s>]*)(?:\s+([^\s>]+))?\s*-->")
 
 
 def rewrite(result: Result, path: Path, check_only: bool) -> list[str]:
@@ -34,7 +41,7 @@ def rewrite(result: Result, path: Path, check_only: bool) -> list[str]:
         why = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
         raise ReportError(f"{path}: cannot be read: {why}") from error
     try:
-        fresh, differing = filled(result, text)
+        fresh, differing = filled(result, text, path.parent)
     except ReportError as error:
         raise ReportError(f"{path}: {error}") from error
     if differing and not check_only:
@@ -42,40 +49,49 @@ def rewrite(result: Result, path: Path, check_only: bool) -> list[str]:
     return differing
 
 
-def filled(result: Result, text: str) -> tuple[str, list[str]]:
+def filled(result: Result, text: str, folder: Path = Path()) -> tuple[str, list[str]]:
     """The text with every block written anew, and the names of those that differed."""
     newline = "\r\n" if "\r\n" in text else "\n"
+    benches, sorts = cache(load), cache(sort.load)
     parts, differing, end = [], [], 0
-    for name, start, stop in _blocks(text):
-        block = f"\n{BLOCKS[name](result)}\n".replace("\n", newline)
+    for name, source, start, stop in _blocks(text):
+        if name in SORT_BLOCKS:
+            block = SORT_BLOCKS[name](sorts(folder / source))
+        else:
+            block = BLOCKS[name](benches(folder / source) if source else result)
+        block = f"\n{block}\n".replace("\n", newline)
         parts += [text[end:start], block]
         if text[start:stop] != block:
-            differing.append(name)
+            differing.append(f"{name} {source}".strip())
         end = stop
     return "".join(parts) + text[end:], differing
 
 
-def _blocks(text: str) -> list[tuple[str, int, int]]:
-    """(name, start, stop) of what stands between the markers, checked to pair up."""
+def _blocks(text: str) -> list[tuple[str, str, int, int]]:
+    """(name, source or nothing, start, stop) of what stands between markers, checked to pair up."""
     found = []
-    opened: tuple[str, int, int] | None = None
+    opened: tuple[str, str, int, int] | None = None
     for marker in _MARKER.finditer(text):
-        closes, name = marker.group(1) == "/", marker.group(2)
+        closes, name, source = marker.group(1) == "/", marker.group(2), marker.group(3) or ""
         line = text.count("\n", 0, marker.start()) + 1
-        if name not in BLOCKS:
-            known = ", ".join(BLOCKS)
+        if name not in BLOCKS and name not in SORT_BLOCKS:
+            known = ", ".join([*BLOCKS, *SORT_BLOCKS])
             raise ReportError(f"line {line}: unknown marker 'octocell:{name}'; known: {known}")
         if closes != (opened is not None) or (opened and opened[0] != name):
             still = f"'{opened[0]}' is still open" if opened else ""
             what = f"ends '{name}', which is not open" if closes else still
             raise ReportError(f"line {line}: {what}")
+        if closes and source:
+            raise ReportError(f"line {line}: only the first marker of '{name}' names a result")
+        if name in SORT_BLOCKS and not closes and not source:
+            raise ReportError(f"line {line}: marker 'octocell:{name}' must name its result")
         if opened is None:
-            opened = name, marker.end(), line
+            opened = name, source, marker.end(), line
             continue
-        found.append((name, opened[1], marker.start()))
+        found.append((name, opened[1], opened[2], marker.start()))
         opened = None
     if opened is not None:
-        raise ReportError(f"line {opened[2]}: marker 'octocell:{opened[0]}' is never closed")
+        raise ReportError(f"line {opened[3]}: marker 'octocell:{opened[0]}' is never closed")
     if not found:
         raise ReportError("has no octocell markers")
     return found
@@ -83,7 +99,7 @@ def _blocks(text: str) -> list[tuple[str, int, int]]:
 
 def speed(result: Result) -> str:
     """Ratios first: they carry over to other machines better than times do."""
-    place = result.largest(SCENE)
+    place = tables.compared(result, SCENE, "warm") or result.largest(SCENE)
     if place is None:
         raise ReportError(f"block 'speed' needs the scene {SCENE}, which the result does not have")
     titles = words.titles(result)
@@ -168,8 +184,8 @@ def moving(result: Result) -> str:
                 size = words.grouped(place.n)
                 lines.append(_line([place.scene, size, titles[row.impl], time, *cells]))
     note = (
-        "Median frame after those that settle a structure. Ours builds anew in each frame; a library "
-        "updates what stands. The ratio is the library's fastest frame time by the row's."
+        "Median frame after those that settle a structure. Ours builds anew in each frame; a "
+        "library updates what stands. The ratio is the library's fastest frame time by the row's."
     )
     return "\n".join([*lines, "", note])
 
@@ -211,6 +227,7 @@ def machine(result: Result) -> str:
     context, box = result.context, result.context["machine"]
     dirty = " with uncommitted changes" if context["dirty"] else ""
     parts = [
+        *([result.gpu.name] if result.gpu else []),
         f"{box['cpu']}, {box['cores']} cores, {box['memory_bytes'] / 1e9:.0f} GB, {box['os']}",
         f"{context['compiler']} ({context['build_type']}, `{context['flags']}`)",
         f"commit {context['commit'][:12]}{dirty}",
@@ -221,17 +238,13 @@ def machine(result: Result) -> str:
     return "; ".join(parts) + "."
 
 
-def _line(cells: list[str]) -> str:
-    return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
-
-
-def _rule(columns: int) -> str:
-    return "|---" + "|---:" * (columns - 1) + "|"
-
-
 BLOCKS: dict[str, Callable[[Result], str]] = {
     "speed": speed,
     "moving": moving,
     "correctness": correctness,
     "machine": machine,
+    "gpu_speed": readme_gpu.speed,
+    "gpu_stages": readme_gpu.stages,
 }
+# Of another kind of result, so its marker always names it.
+SORT_BLOCKS: dict[str, Callable[[SortResult], str]] = {"gpu_sorts": readme_sorts.sorts}

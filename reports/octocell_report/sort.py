@@ -31,6 +31,20 @@ STATUSES = ("ok", "wrong", "skipped")
 DEVICES = ("cpu", "gpu")
 ORDERS = ("random", "sorted", "reversed", "constant", "few_distinct")
 
+TITLES = {
+    "impl_cpu": "Octocell radix sort",
+    "std_sort": "std::sort",
+    "std_stable_sort": "std::stable_sort",
+    "tbb_parallel_sort": "TBB parallel_sort",
+    "highway_vqsort": "Highway vqsort",
+    "boost_spreadsort": "Boost spreadsort",
+    "cuda_one_bit_split": "1 one-bit split",
+    "cuda_digit_passes": "2 digit passes",
+    "cuda_reduce_then_scan": "3 reduce then scan",
+    "cuda_onesweep": "4 onesweep",
+    "cub": "CUB",
+}
+
 
 class Sort(NamedTuple):
     """What is compared: an algorithm and its number of threads (0 on a GPU)."""

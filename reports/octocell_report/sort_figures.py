@@ -16,7 +16,7 @@ from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullForma
 
 from octocell_report import style, words
 from octocell_report.files import staged_folder
-from octocell_report.sort import ORDERS, Sort, SortResult, SortRow, frame
+from octocell_report.sort import ORDERS, TITLES, Sort, SortResult, SortRow, frame
 
 TABLE = "sort.csv"
 NAMES = (
@@ -25,19 +25,6 @@ NAMES = (
     TABLE,
 )
 
-_TITLES = {
-    "impl_cpu": "Octocell radix sort",
-    "std_sort": "std::sort",
-    "std_stable_sort": "std::stable_sort",
-    "tbb_parallel_sort": "TBB parallel_sort",
-    "highway_vqsort": "Highway vqsort",
-    "boost_spreadsort": "Boost spreadsort",
-    "cuda_one_bit_split": "1 one-bit split",
-    "cuda_digit_passes": "2 digit passes",
-    "cuda_reduce_then_scan": "3 reduce then scan",
-    "cuda_onesweep": "4 onesweep",
-    "cub": "CUB",
-}
 _COLOURS = (
     *(style.BLUE, style.VERMILLION, style.ORANGE, style.PURPLE, style.GREEN, style.BLACK),
     *(style.SKY, style.GREY),
@@ -83,7 +70,7 @@ def _looks(result: SortResult) -> dict[Sort, _Look]:
     found = {}
     for sort in result.sorts:
         place = algorithms.index(sort.algorithm) % len(_COLOURS)
-        label = _TITLES.get(sort.algorithm, sort.algorithm)
+        label = TITLES.get(sort.algorithm, sort.algorithm)
         if sort.threads > 1:
             label += f", {sort.threads} threads"
         line = "--" if sort.threads > 1 else "-"
@@ -285,7 +272,7 @@ def _rate_axis(ax: Axes) -> None:
 def _say_wrong(ax: Axes, rows: list[SortRow]) -> None:
     """A wrong answer has no place on the axes; its name stands in red above them."""
     if rows:
-        sorts = dict.fromkeys(_TITLES.get(r.sort.algorithm, r.sort.algorithm) for r in rows)
+        sorts = dict.fromkeys(TITLES.get(r.sort.algorithm, r.sort.algorithm) for r in rows)
         text = "WRONG: " + ", ".join(sorts)
         ax.text(0.5, 0.02, text, transform=ax.transAxes, ha="center", color=style.VERMILLION)
 
@@ -319,7 +306,7 @@ def _footnote(result: SortResult) -> str:
     skips: dict[str, dict[str, None]] = {}
     for row in result.rows:
         if row.status == "skipped":
-            title = _TITLES.get(row.sort.algorithm, row.sort.algorithm)
+            title = TITLES.get(row.sort.algorithm, row.sort.algorithm)
             skips.setdefault(row.reason or "", {})[title] = None
     where, how = _conditions(result)
     lines = [

@@ -21,7 +21,14 @@ YELLOW, GREEN, SKY, BLACK = "#F0E442", "#009E73", "#56B4E9", "#000000"
 GREY, WINE = "#999999", "#882255"  # not theirs; for a ninth and a tenth backend
 INK, FAINT, GRID = "#1f2328", "#6a737d", "#e3e6ea"
 
-_BACKENDS = (BLUE, VERMILLION, ORANGE, PURPLE, YELLOW, GREEN, SKY, BLACK, GREY, WINE)
+# Ours look the same in every report; the others share what is left.
+_OURS = {
+    "impl_cpu": BLUE,
+    "impl_thrust": VERMILLION,
+    "impl_cuda_custom": GREEN,
+    "impl_thrust_cuda": ORANGE,
+}
+_COLOURS = (BLUE, VERMILLION, ORANGE, PURPLE, YELLOW, GREEN, SKY, BLACK, GREY, WINE)
 _MARKERS = (
     "o",
     "s",
@@ -115,12 +122,12 @@ def looks(result: Result) -> dict[Impl, Look]:
     """The same for one implementation in every plot of one report."""
     titles = words.titles(result)
     backends = list(dict.fromkeys(impl.backend for impl in result.impls))
+    bases = _bases(backends)
     met: dict[str, int] = dict.fromkeys(backends, 0)
     found = {}
     for index, impl in enumerate(result.impls):
         variant, met[impl.backend] = met[impl.backend], met[impl.backend] + 1
-        turn, place = divmod(backends.index(impl.backend), len(_BACKENDS))
-        base = _BACKENDS[place]
+        turn, base = bases[impl.backend]
         found[impl] = Look(
             label=titles[impl],
             colour=darker(base, _SHADES[variant % len(_SHADES)]),
@@ -128,6 +135,15 @@ def looks(result: Result) -> dict[Impl, Look]:
             line=_LINES[(variant + turn) % len(_LINES)],
         )
     return found
+
+
+def _bases(backends: list[str]) -> dict[str, tuple[int, str]]:
+    """By backend: its colour, and how often the colours were used up before it came."""
+    ours = {backend: (0, _OURS[backend]) for backend in backends if backend in _OURS}
+    left = [colour for colour in _COLOURS if all(colour != own for _, own in ours.values())]
+    others = [backend for backend in backends if backend not in ours]
+    turns = {b: divmod(index, len(left)) for index, b in enumerate(others)}
+    return ours | {b: (turn, left[place]) for b, (turn, place) in turns.items()}
 
 
 def darker(colour: str, by: float) -> str:

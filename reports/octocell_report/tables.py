@@ -10,7 +10,7 @@ from statistics import median
 import numpy as np
 
 from octocell_report import words
-from octocell_report.load import RUNS, Group, Impl, Place, Result, Row
+from octocell_report.load import DEVICE_RUNS, RUNS, Group, Impl, Place, Result, Row
 
 UPDATES = ("first_update", "update")
 DYNAMIC = "dynamic"
@@ -167,7 +167,9 @@ def correctness(result: Result) -> dict[tuple[Impl, Place], Cell]:
 
 
 def beyond_bytes(row: Row) -> float | None:
-    """Bytes per sphere beyond input and output."""
+    """Bytes per sphere beyond input and output, on the host: None for a device's row."""
+    if row.device_bytes is not None:
+        return None
     if row.peak_bytes is None or row.place.n == 0:
         return None
     return (row.peak_bytes - (row.output_bytes or 0)) / row.place.n
@@ -198,6 +200,34 @@ def candidates_per_pair(result: Result, row: Row) -> float:
 
 
 def runs(result: Result) -> list[str]:
-    """Which kinds of run at rest the result holds."""
+    """Which kinds of run at rest the result holds, of those that are no device's own."""
     held = {row.run for row in result.rows}
-    return [run for run in RUNS if run in held and run != DYNAMIC]
+    return [run for run in RUNS if run in held and run not in (DYNAMIC, *DEVICE_RUNS)]
+
+
+def largest(result: Result, run: str, impls: list[Impl]) -> list[Place]:
+    """Each scene at the largest size at which one of these has a row of that run that ran."""
+
+    def fits(row: Row) -> bool:
+        return row.impl in impls and row.run == run and row.status != "skipped"
+
+    return [p for scene in result.scenes if (p := result.largest(scene, fits))]
+
+
+def measured_memory(result: Result) -> list[Place]:
+    """Each scene at the largest size at which memory was measured on the host."""
+
+    def fits(row: Row) -> bool:
+        return beyond_bytes(row) is not None
+
+    return [p for scene in result.scenes if (p := result.largest(scene, fits))]
+
+
+def compared(result: Result, scene: str, run: str) -> Place | None:
+    """The largest size at which most sides have an exact row: a device may go on alone."""
+    sides = result.sides
+    met: dict[Place, set[str]] = {}
+    for row in result.rows:
+        if row.place.scene == scene and row.run == run and row.counts and row.place.n > 0:
+            met.setdefault(row.place, set()).add(sides[row.impl])
+    return max(met, key=lambda place: (len(met[place]), place.n), default=None)

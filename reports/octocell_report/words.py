@@ -53,6 +53,11 @@ def count(value: int | None) -> str:
     return str(value)
 
 
+def percent(value: float) -> str:
+    """Whole from 10 up, one digit below: 42, 3.1."""
+    return f"{value:.0f}" if value >= 9.95 else f"{value:.1f}"
+
+
 def ratio(value: float) -> str:
     """Three digits from 1 up, two below: 12.3×, 0.85×."""
     return f"{number(value)}×" if value >= 0.995 else f"{value:#.2g}×"

@@ -17,6 +17,8 @@ _PAGE = {
     "dirty": "The commit below does not hold all of them, so these numbers cannot be traced to it.",
     "machine": "Machine",
     "cores": "{cores} cores",
+    "gpu": "GPU",
+    "gpu_text": "{name}, copies {copied} GB/s (read and written, measured in this run)",
     "compiler": "Compiler",
     "instruction_set": "Instruction set",
     "commit": "Commit",
@@ -29,6 +31,9 @@ _PAGE = {
     "plots_language": "",
     "run_cold": "cold",
     "run_warm": "warm",
+    "run_rotated": "rotated",
+    "run_graph": "graph",
+    "run_transfers": "with transfers",
     "run_first_update": "first update",
     "run_update": "update",
     "run_dynamic": "dynamic",
@@ -46,6 +51,13 @@ _TABLES = {
     "speedups_update_how": "The baseline updates its standing structure; ours finds all pairs anew "
     "(its warm row) in the same rounds. The spheres have not moved, which is the best case of a structure "
     "that stands.",
+    "gpu_table": "On the GPU",
+    "gpu_how": "Warm: scene and buffers stand on the device. Rotated: the same, but the device's cache "
+    "holds none of it. Graph: the stages recorded once and launched as one. With transfers: the spheres "
+    "come from the host's pinned memory, and the pairs go back there. Cold: everything made from "
+    "nothing. Below each time its ratio to the warm time, within rounds, median; above 1 is slower. "
+    "Device bytes: the most memory on the device at a time, per sphere.",
+    "column_device_bytes": "device bytes/sphere",
     "frames_table": "Moving scenes as a table",
     "frames_how": "A frame is: every sphere moves, the structure follows or is built anew, all pairs "
     "are found. Steady: median of the frames after the warm-up, per round; shown is the median of "
@@ -104,6 +116,16 @@ _SECTIONS = {
     "how_stages_backend": "Each bar is one implementation, warm, at the scene's largest size. A fused "
     "stage has no bar of its own; the text says which stage holds its time. Scales differ from scene "
     "to scene.",
+    "title_stages_device": "Stages on the GPU",
+    "how_stages_device": "The same for our backends on a device, each between two events in its stream.",
+    "title_bandwidth": "Bandwidth",
+    "how_bandwidth": "The least bytes that a stage must move (each input read once, each output written "
+    "once) by the time that it took: the fastest exact row of each backend. The dashed line is a copy in the "
+    "device's memory, measured in the same run: a stage cannot do better, unless a cache holds what it "
+    "reads, and one far below it waits for something else. Hollow bars move so little that a launch takes longer.",
+    "title_bandwidth_by_size": "Bandwidth by size",
+    "how_bandwidth_by_size": "The same over all sizes of gas. Small scenes are held by the device's cache "
+    "in warm runs, not in rotated ones; hollow marks move so little that a launch takes longer.",
     "title_stages_baseline": "Stages of the baselines",
     "how_stages_baseline": "Build makes the structure, query asks it for all pairs.",
     "title_stages_per_sphere": "Stages per sphere",
@@ -122,7 +144,8 @@ _SECTIONS = {
     "warm row. The spheres have not moved, which is the best case of a structure that stands: one that "
     "keeps its pairs has little to do. Moving scenes tell what it costs otherwise.",
     "title_memory": "Memory",
-    "how_memory": "Growth of resident memory over the scene, less the pairs themselves, per sphere.",
+    "how_memory": "Growth of resident memory over the scene, less the pairs themselves, per sphere; "
+    "of the host alone. What a backend takes on a device stands beside its times there.",
 }
 
 _READING = {
@@ -137,7 +160,7 @@ _READING = {
     "read_runs": "Cold starts from nothing, with planning and allocation. Warm finds all pairs from "
     "nothing in memory already touched. Update exists for the baselines alone: their structure "
     "stands and every sphere is announced again; the first update after building is a run of its "
-    "own. In dynamic runs the spheres move, frame after frame.",
+    "own. On a device there are three runs more, told at their table. In dynamic runs the spheres move, frame after frame.",
     "read_ratios_title": "Ratios before times.",
     "read_ratios": "Times belong to this machine on that day. Ratios within interleaved rounds carry "
     "further, though not to every machine.",
@@ -176,16 +199,28 @@ _FINDINGS = {
     "one_size": "One size only, so no curve: {scenes}.",
     "heaviest_one": "{stage} in {scenes} ({share} % of its time)",
     "heaviest_backend": "Heaviest stage of our fastest exact row, of {scenes}: {stages}.",
+    "heaviest_device": "Heaviest stage of the fastest exact row on a device, of {scenes}: {stages}.",
     "heaviest_baseline": "Heaviest stage of the fastest baseline, of {scenes}: {stages}.",
     "per_sphere": "{name}: {low} ns/sphere on {cheap} to {high} on {dear}.",
     "speed_cold": "Cold",
     "speed_warm": "Warm",
     "speed_first_update": "First update (ours: found anew)",
     "speed_update": "Update (ours: found anew)",
-    "speed": "{run}, our fastest exact row is ahead of {family}'s fastest in {ahead} of {groups} "
+    "speed": "{run}, our fastest exact row{where} is ahead of {family}'s fastest in {ahead} of {groups} "
     "groups: {ratios} as fast, median {median}.",
+    "where_backend": " on the host",
+    "where_device": " on the GPU",
     "wrong_on": "{name} is wrong on {places}.",
     "bytes": "Bytes per sphere, exact rows: {needs}.",
+    "of_copy": "{name}, at the largest sizes of {scenes}, of the bandwidth of a copy ({copied} GB/s): "
+    "{stages}.",
+    "of_no_copy": "{name}, at the largest sizes of {scenes}, where no copy was measured: {stages}.",
+    "too_little": "Too few bytes to tell, since copying them takes less than {limit} µs: {stages}.",
+    "best_rate": "{name}, {run}, over all stages: at most {rate} GB/s, on {place}.",
+    "best_rate_share": "{name}, {run}, over all stages: at most {rate} GB/s, on {place}, {share} % of "
+    "the bandwidth of a copy.",
+    "runs_by_warm": "{name}, time by its warm time over {groups} groups: {runs}.",
+    "device_bytes": "{name}: {needs} bytes of device memory per sphere.",
     "steady": "{course}: the fastest steady frame is that of {name}, {time} ms.",
     "steady_speed": "{course}: our fastest steady frame is {ratio} as fast as {family}'s fastest.",
 }

@@ -16,6 +16,8 @@ _PAGE = {
     "dirty": "下面的提交不包含全部改动，因此这些数字无法追溯到该提交。",
     "machine": "机器",
     "cores": "{cores} 核",
+    "gpu": "GPU",
+    "gpu_text": "{name}，复制带宽 {copied} GB/s（读加写，本次运行中测得）",
     "compiler": "编译器",
     "instruction_set": "指令集",
     "commit": "提交",
@@ -28,6 +30,9 @@ _PAGE = {
     "plots_language": "图中文字为英文；术语对照见 docs/glossary.md。",
     "run_cold": "冷启动",
     "run_warm": "热运行",
+    "run_rotated": "缓存失效",
+    "run_graph": "图",
+    "run_transfers": "含传输",
     "run_first_update": "首次更新",
     "run_update": "更新",
     "run_dynamic": "动态",
@@ -42,6 +47,11 @@ _TABLES = {
     "先列各轮的中位数，再列最低与最高的一轮。",
     "speedups_update_how": "基线更新已有的结构；我们的实现在相同的各轮中从头求出所有球对（热运行）。"
     "球并未移动，这对保持不变的结构最为有利。",
+    "gpu_table": "在 GPU 上",
+    "gpu_how": "热运行：场景和缓冲区都已在设备上。缓存失效：同上，但设备缓存中没有这些数据。"
+    "图：各阶段预先录制，一次启动。含传输：球从主机的锁页内存传来，球对再传回去。冷启动：全部从零开始。"
+    "每个时间下方是它与热运行时间之比，在每轮内计算，取中位数；大于 1 为较慢。设备字节：设备内存的最大占用，平均到每个球。",
+    "column_device_bytes": "设备字节/球",
     "frames_table": "运动场景数据表",
     "frames_how": "一帧包括：所有球移动，结构随之更新或重建，然后求出所有球对。稳态：每轮取预热之后各帧的中位数，"
     "表中是各轮的中位数及其范围。首帧：第一帧在各轮中的中位数。",
@@ -92,6 +102,15 @@ _SECTIONS = {
     "title_stages_backend": "我们的各阶段",
     "how_stages_backend": "每条为一个实现，热运行，取该场景的最大规模。被合并的阶段没有自己的一段；"
     "文字注明其时间计在哪个阶段。各场景的刻度不同。",
+    "title_stages_device": "GPU 上的各阶段",
+    "how_stages_device": "同上，对象是我们在设备上运行的后端；每个阶段的时间取自其流中的两个事件之间。",
+    "title_bandwidth": "带宽",
+    "how_bandwidth": "一个阶段至少要搬运的字节数（每个输入读一次，每个输出写一次）除以它所用的时间，"
+    "取每个后端最快的精确行。虚线是在同一次运行中测得的设备内存复制带宽：除非缓存中已有所读的数据，任何阶段都不能超过它；"
+    "远低于它的阶段在等待别的东西。空心的条搬运的字节太少，启动一次内核的时间更长。",
+    "title_bandwidth_by_size": "带宽与规模",
+    "how_bandwidth_by_size": "同上，取 gas 的所有规模。热运行时小场景留在设备缓存中，缓存失效时则不然；"
+    "空心标记搬运的字节太少，启动一次内核的时间更长。",
     "title_stages_baseline": "基线的各阶段",
     "how_stages_baseline": "build 建立结构，query 向它查询所有球对。",
     "title_stages_per_sphere": "平均到每个球的各阶段时间",
@@ -107,7 +126,8 @@ _SECTIONS = {
     "how_speed_update": "同上，基线的结构保持不变。我们的实现从头求解（热运行）。球并未移动，这对保持不变的结构最为有利："
     "保存球对的结构几乎无事可做。球移动时的代价见运动场景。",
     "title_memory": "内存",
-    "how_memory": "常驻内存相对于场景本身的增长，减去球对输出，平均到每个球。",
+    "how_memory": "常驻内存相对于场景本身的增长，减去球对输出，平均到每个球；仅指主机内存。"
+    "后端在设备上占用的内存与其时间列在一起。",
 }
 
 _READING = {
@@ -120,7 +140,7 @@ _READING = {
     "也不主张其速度。",
     "read_runs_title": "冷启动、热运行、更新、动态。",
     "read_runs": "冷启动从零开始，包括规划和分配。热运行在已访问过的内存中从头求出所有球对。更新只有基线才有："
-    "其结构保持不变，重新通知每个球的位置；建成后的首次更新单独成一种。动态运行中，球逐帧移动。",
+    "其结构保持不变，重新通知每个球的位置；建成后的首次更新单独成一种。设备上另有三种运行，见其数据表的说明。动态运行中，球逐帧移动。",
     "read_ratios_title": "比值先于时间。",
     "read_ratios": "时间只属于这台机器的那一天。交错各轮之内的比值适用范围更广，但也不是对所有机器都成立。",
     "read_candidates_title": "每个真实球对的候选对数",
@@ -156,16 +176,26 @@ _FINDINGS = {
     "one_size": "只有一种规模，因此没有曲线：{scenes}。",
     "heaviest_one": "{stage}（{scenes} 个场景，占其时间的 {share} %）",
     "heaviest_backend": "我们最快的精确行中最耗时的阶段（{scenes}）：{stages}。",
+    "heaviest_device": "设备上最快的精确行中最耗时的阶段（{scenes}）：{stages}。",
     "heaviest_baseline": "最快的基线中最耗时的阶段（{scenes}）：{stages}。",
     "per_sphere": "{name}：从 {low} ns/球（{cheap}）到 {high} ns/球（{dear}）。",
     "speed_cold": "冷启动",
     "speed_warm": "热运行",
     "speed_first_update": "首次更新（我们从头求解）",
     "speed_update": "更新（我们从头求解）",
-    "speed": "{run}：我们最快的精确行在 {groups} 组中的 {ahead} 组领先于 {family} 的最快者："
+    "speed": "{run}：我们{where}最快的精确行在 {groups} 组中的 {ahead} 组领先于 {family} 的最快者："
     "速度为其 {ratios}，中位数 {median}。",
+    "where_backend": "在主机上",
+    "where_device": "在 GPU 上",
     "wrong_on": "{name} 在以下场景出错：{places}。",
     "bytes": "每球字节数，精确行：{needs}。",
+    "of_copy": "{name}，在 {scenes}的最大规模下，占复制带宽（{copied} GB/s）的比例：{stages}。",
+    "of_no_copy": "{name}，在 {scenes}的最大规模下（未测复制带宽）：{stages}。",
+    "too_little": "字节太少，无从判断（复制它们不到 {limit} µs）：{stages}。",
+    "best_rate": "{name}，{run}，所有阶段合计：最高 {rate} GB/s（{place}）。",
+    "best_rate_share": "{name}，{run}，所有阶段合计：最高 {rate} GB/s（{place}），为复制带宽的 {share} %。",
+    "runs_by_warm": "{name}，{groups} 组中各运行时间与其热运行时间之比：{runs}。",
+    "device_bytes": "{name}：每球占用 {needs} 字节设备内存。",
     "steady": "{course}：稳态帧最快的是 {name}，{time} ms。",
     "steady_speed": "{course}：我们最快的稳态帧的速度是 {family} 最快者的 {ratio}。",
 }

@@ -16,7 +16,8 @@ from synthetic import Json
 
 def row(algorithm: str = "impl_cpu", **changes: object) -> Json:
     known: Json = {
-        "algorithm": algorithm, "device": "cpu", "n": 4096, "bits": 8, "order": "random", "threads": 1,
+        "algorithm": algorithm, "device": "cpu", "n": 4096, "bits": 8,
+        "order": "random", "threads": 1,
         "stable": True, "packed": algorithm != "impl_cpu", "status": "ok", "reason": None,
         "iterations": 9, "total_ms": [1.0, 4.0, 2.0], "items_per_second_median": 2048e3,
     }  # fmt: skip

@@ -18,9 +18,7 @@ _COLUMNS = 3
 
 
 def draw(result: Result, looks: dict[Impl, Look]) -> Figure | None:
-    places = [place for place in map(result.largest, result.scenes) if place]
-    needs = {place: tables.memory(result, place) for place in places}
-    needs = {place: need for place, need in needs.items() if need}
+    needs = {place: tables.memory(result, place) for place in tables.measured_memory(result)}
     impls = [i for i in result.impls if any(i in need for need in needs.values())]
     if not impls:
         return None

@@ -17,6 +17,7 @@ from octocell_report.style import Look
 from octocell_report.tables import Ratio
 
 _INCHES = 0.24  # a line of the figure
+_MOST = 24  # groups
 
 
 def draw(result: Result, looks: dict[Impl, Look], run: str) -> Figure | None:
@@ -24,6 +25,7 @@ def draw(result: Result, looks: dict[Impl, Look], run: str) -> Figure | None:
     found = tables.ratios(result, run)
     if not found:
         return None
+    found, some = _fewer(result, found)
     families = [f for f in tables.families(result) if any(r.family == f for r in found)]
     places = list(dict.fromkeys(r.place for r in found))
     impls = [i for i in result.impls if any(r.impl == i for r in found)]
@@ -40,8 +42,18 @@ def draw(result: Result, looks: dict[Impl, Look], run: str) -> Figure | None:
         _panel(ax, looks, [r for r in found if r.family == family], rows)
         ax.set_title(f"against {words.family_title(family)}'s fastest", pad=10)
     own = words.run(found[0].own_run)
-    _key(figure, [looks[impl] for impl in impls], f"{own} against {words.run(run)}")
+    _key(figure, [looks[impl] for impl in impls], f"{own} against {words.run(run)}{some}")
     return figure
+
+
+def _fewer(result: Result, found: list[Ratio]) -> tuple[list[Ratio], str]:
+    """Two sizes of each scene where all would make the figure too tall, and words that say so."""
+    if len({r.place for r in found}) <= _MOST:
+        return found, ""
+    kept = set()
+    for scene in result.scenes:
+        kept |= set(sorted({r.place for r in found if r.place.scene == scene})[-2:])
+    return [r for r in found if r.place in kept], ", two largest sizes (all: in the table)"
 
 
 def _key(figure: Figure, shown: list[Look], runs: str) -> None:

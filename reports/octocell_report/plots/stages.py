@@ -23,10 +23,11 @@ Bar = tuple[str, Row | None]  # what stands left of it, and what it shows
 _CUT = 3.0  # a bar longer than this many medians of its axis is cut, and says so
 
 
-def draw(result: Result, looks: dict[Impl, Look], kind: str) -> Figure | None:
-    """One facet per scene at its largest size; milliseconds."""
-    impls = result.impls_of(kind)
-    places = [p for p in map(result.largest, result.scenes) if p and _staged(result, p, impls)]
+def draw(result: Result, looks: dict[Impl, Look], side: str) -> Figure | None:
+    """One facet per scene at the largest size that this side ran at; milliseconds."""
+    impls = result.impls_of(side)
+    every = tables.largest(result, RUN, impls)
+    places = [place for place in every if _staged(result, place, impls)]
     if not places:
         return None
     columns = min(2, len(places))
@@ -55,20 +56,22 @@ def draw(result: Result, looks: dict[Impl, Look], kind: str) -> Figure | None:
 
 def draw_per_sphere(result: Result, looks: dict[Impl, Look]) -> Figure | None:
     """One facet per implementation of ours, one bar per scene; one scale per backend."""
-    places = [p for p in map(result.largest, result.scenes) if p and result.at(p, RUN)]
+    ours = {side: result.impls_of(side) for side in ("backend", "device")}
+    places = {i: tables.largest(result, RUN, side) for side in ours.values() for i in side}
     rows = {(r.impl, r.place): r for r in result.rows if r.run == RUN and r.stage_ms}
-    impls = [i for i in result.impls_of("backend") if any((i, p) in rows for p in places)]
+    impls = [impl for impl in places if any((impl, p) in rows for p in places[impl])]
     if not impls:
         return None
+    most = max(len(places[impl]) for impl in impls)
     figure, axes = plt.subplots(
         len(impls),
         1,
-        figsize=(12.5, (0.5 * len(places) + 1.1) * len(impls) + 1.0),
+        figsize=(12.5, (0.5 * most + 1.1) * len(impls) + 1.0),
         squeeze=False,
         layout="constrained",
     )
     every = {(r.impl, r.place): r for r in result.rows if r.run == RUN}
-    bars = {i: [(words.place(p), every.get((i, p))) for p in places] for i in impls}
+    bars = {i: [(words.place(p), every.get((i, p))) for p in places[i]] for i in impls}
     for ax, impl in zip(axes[:, 0], impls, strict=True):
         alike = [bar for other in impls if other.backend == impl.backend for bar in bars[other]]
         _bars(ax, bars[impl], _Scale.of(alike, per_sphere=True))

@@ -107,6 +107,7 @@ def _line(ax: Axes, look: Look, rows: list[Row]) -> None:
 def _marks(ax: Axes, looks: dict[Impl, Look], marked: list[Row]) -> None:
     """Hollow and crossed, no line; the losses stand in a lane of their own at the bottom."""
     impls = list(dict.fromkeys(row.impl for row in marked))
+    letters = 10.5 if len({row.place.n for row in marked}) < 7 else 8.5  # or they run together
     for row in marked:
         _crossed(ax, looks[row.impl], row.place.n, row.median_ms)
     low, high = ax.get_ylim()
@@ -128,7 +129,7 @@ def _marks(ax: Axes, looks: dict[Impl, Look], marked: list[Row]) -> None:
             color=looks[row.impl].ink,
             ha="center",
             va="center",
-            fontsize=10.5,
+            fontsize=letters,
             bbox=box,
         )
 
