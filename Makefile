@@ -8,6 +8,9 @@ RESULT ?= reports/out/bench.json
 PUBLISHED := reports/results/epyc-zen5-2core/quick.json
 # Machine code for the common GPUs from Turing on; the last entry's PTX serves what is newer.
 GPUS ?= 75-real 80-real 86-real 89-real 90
+# Code for GPUs: AUTO (where nvcc is; where a GPU is, nvcc is fetched), ON or OFF.
+OCTOCELL_CUDA ?= AUTO
+export OCTOCELL_CUDA
 # Strict where changes are checked, lenient with compilers yet unborn.
 WERROR := $(if $(CI),ON,OFF)
 
@@ -21,7 +24,7 @@ setup: ## Install what is missing: compilers, libraries, a Python environment, r
 	@scripts/setup.sh
 
 build: setup ## Build build/octocell and the tests, no more
-	@cmake --preset $(PRESET) -B $(BUILD) -DOCTOCELL_WERROR=$(WERROR) >/dev/null
+	@cmake --preset $(PRESET) -B $(BUILD) -DOCTOCELL_WERROR=$(WERROR) -DOCTOCELL_CUDA=$(OCTOCELL_CUDA) >/dev/null
 	@cmake --build $(BUILD)
 
 test: build ## Run all tests

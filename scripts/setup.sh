@@ -13,9 +13,22 @@ packages=(
   libtbb-dev libhwy-dev     # sorts to compare with
   python3-venv    # the reports
 )
-# Thrust's headers come with a CUDA toolkit; where there is none, from Debian.
-command -v nvcc >/dev/null || [ -x "${CUDA_HOME:-/usr/local/cuda}/bin/nvcc" ] || [ -x .cuda/bin/nvcc ] ||
-  packages+=(libthrust-dev)
+
+has_nvcc() {
+  command -v nvcc >/dev/null || [ -x "${CUDA_HOME:-/usr/local/cuda}/bin/nvcc" ] || [ -x .cuda/bin/nvcc ]
+}
+
+# OCTOCELL_CUDA is ON, or AUTO (the default) and there is a GPU to compile for.
+wants_nvcc() {
+  case ${OCTOCELL_CUDA:-AUTO} in
+    ON) ;;
+    AUTO) nvidia-smi --list-gpus >/dev/null 2>&1 ;;
+    *) false ;;
+  esac
+}
+
+# Thrust's headers come with a CUDA toolkit; where there will be none, from Debian.
+has_nvcc || wants_nvcc || packages+=(libthrust-dev)
 
 say() { echo "setup: $*"; }
 
@@ -68,6 +81,7 @@ import_frames() {  # TRAJECTORY, FOLDER, options of octocell-import ...
 }
 
 install_packages
+has_nvcc || ! wants_nvcc || scripts/cuda_toolkit.sh
 make_python_environment
 .venv/bin/python scripts/fetch_data.py
 import_scene data/adk_oplsaa.gro --radius MW=0  # the water's fourth site: charge without size
