@@ -172,7 +172,7 @@ class RadixSortOnDevice : public testing::TestWithParam<Rung> {
 /// Around warps, and around the tiles of all rungs.
 std::vector<std::uint32_t> awkward_sizes() {
   std::vector<std::uint32_t> sizes = {0, 1, 2, 31, 32, 33};
-  for (const std::uint32_t tile : {2048u, 4096u, 4608u, 9216u, 2 * 9216u}) {
+  for (const std::uint32_t tile : {2048u, 4096u, 8192u, 16384u, 24576u, 2 * 24576u}) {
     for (const std::uint32_t n : {tile - 1, tile, tile + 1}) sizes.push_back(n);
   }
   return sizes;
@@ -193,7 +193,7 @@ TEST_P(RadixSortOnDevice, SortsEveryWidthOrderAndSize) {
 
 /// The capacity decides which tile size onesweep takes, so the sizes meet them all.
 TEST_P(RadixSortOnDevice, SortsFewerPairsThanThereIsRoomFor) {
-  for (const std::uint32_t capacity : {100'000u, 1u << 20, 1u << 22}) {
+  for (const std::uint32_t capacity : {100'000u, 1u << 20, 3'000'000u, 1u << 22}) {
     for (const int bits : {1, 5, 8, 9, 17, 20, 32}) {
       Arena arena(GetParam(), capacity, bits);
       for (const std::uint32_t n : awkward_sizes()) {

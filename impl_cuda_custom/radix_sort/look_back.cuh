@@ -50,15 +50,18 @@ __device__ inline void write(std::uint64_t* word, std::uint64_t value) {
   *reinterpret_cast<volatile std::uint64_t*>(word) = value;
 }
 
-/// Reads in flight at once. One by one, each tile further back would cost a whole latency.
-constexpr int kAtOnce = 4;
+/// Reads that one thread has in flight. One by one, each tile further back would cost a whole
+/// latency; too many read what is not needed.
+constexpr int kMostAtOnce = 8;
 
 /// Tiles of words before those of tile 0, which are read with it and never used.
-constexpr int kMargin = kAtOnce - 1;
+constexpr int kMargin = kMostAtOnce - 1;
 
 /// The sum over all tiles below. `word` is this thread's of the tile just below, and `kStride`
-/// words lie between two tiles. All of those tiles have started, so they will answer.
-template <int kStride>
+/// words lie between two tiles. All of those tiles have started, so they will answer. Where few
+/// tiles follow each other, all have just started: none knows the tiles below it, the way back is
+/// long, and a greater kAtOnce shortens it.
+template <int kStride, int kAtOnce>
 __device__ std::uint64_t sum_below(const std::uint64_t* word, const States& states) {
   std::uint64_t sum = 0;
   for (;; word -= kAtOnce * kStride) {

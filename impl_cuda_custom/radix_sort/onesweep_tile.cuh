@@ -34,7 +34,10 @@ class Tile {
   static constexpr std::uint32_t kBins = 1u << kDigitBits;
   static constexpr std::uint32_t kOwners = kBins / 2;
   static constexpr std::uint32_t kSize = kThreads * kItems;
-  static_assert(kOwners <= kThreads && kSize < 1u << 16);
+  static constexpr int kAbreast = kItems % 3 == 0 ? 3 : 2;  // items ranked at once by a thread
+  static constexpr int kAtOnce = kItems <= 16 ? 8 : 4;      // look-back: see sum_below()
+  static_assert(kAtOnce <= look_back::kMostAtOnce);
+  static_assert(kOwners <= kThreads && kSize < 1u << 16 && kItems % kAbreast == 0);
 
   struct Ordered {
     std::uint32_t keys[kSize];
@@ -68,25 +71,14 @@ class Tile {
   /// Beyond the end stand keys with the greatest digit: they come last, and are not written.
   __device__ void load_keys() { load_items(pass_.from.keys, 0xffffffffu, keys_); }
 
-  /// How many keys with the same digit stand before each key in its warp; counts them, too.
+  /// How many keys with the same digit stand before each key in its warp; counts them, too. A few
+  /// items at a time, so that one's votes and counter do not wait for the other's.
   __device__ void rank_in_warps() {
     std::uint32_t(&counts)[kOwners] = s_.counts[warp_of_thread()];
     for (std::uint32_t i = lane_of_thread(); i < kOwners; i += kWarpThreads) counts[i] = 0;
     __syncwarp();
-    const unsigned lanes_up_to_here = kAllLanes >> (kWarpThreads - 1 - lane_of_thread());
 #pragma unroll
-    for (int item = 0; item < kItems; ++item) {
-      const std::uint32_t digit = digit_of(keys_[item]);
-      const unsigned peers = lanes_with(digit);
-      const std::uint32_t up_to_here = __popc(peers & lanes_up_to_here);
-      const int leader = kWarpThreads - 1 - __clz(peers);  // the last one: has counted them all
-      std::uint32_t before = 0;
-      // Two leaders may share a word. Reading the answer keeps the items in their order.
-      if (lane_of_thread() == leader)
-        before = atomicAdd(&counts[digit / 2], up_to_here << half(digit));
-      before = __shfl_sync(kAllLanes, before, leader);
-      add_to_rank(item, (before >> half(digit) & 0xffff) + up_to_here - 1);
-    }
+    for (int item = 0; item < kItems; item += kAbreast) rank_abreast(item, counts);
     __syncthreads();
   }
 
@@ -170,16 +162,58 @@ class Tile {
   }
   __device__ static bool is_owner() { return threadIdx.x < kOwners; }
 
+  /// Ranks kAbreast items from `first` on in their warp.
+  __device__ void rank_abreast(int first, std::uint32_t (&counts)[kOwners]) {
+    const unsigned lanes_up_to_here = kAllLanes >> (kWarpThreads - 1 - lane_of_thread());
+    std::uint32_t digits[kAbreast];
+    unsigned peers[kAbreast];
+    std::uint32_t before[kAbreast] = {};
+#pragma unroll
+    for (int k = 0; k < kAbreast; ++k) digits[k] = digit_of(keys_[first + k]);
+    find_peers(digits, peers);
+#pragma unroll
+    for (int k = 0; k < kAbreast; ++k) {
+      const std::uint32_t up_to_here = __popc(peers[k] & lanes_up_to_here);
+      const std::uint32_t added = up_to_here << half(digits[k]);
+      std::uint32_t* const count = &counts[digits[k] / 2];
+      if (lane_of_thread() == leader(peers[k])) before[k] = atomicAdd(count, added);
+      __syncwarp();  // two leaders may share a word; the items count in their order
+      add_to_rank(first + k, up_to_here - 1);
+    }
+#pragma unroll
+    for (int k = 0; k < kAbreast; ++k) {
+      const std::uint32_t word = __shfl_sync(kAllLanes, before[k], leader(peers[k]));
+      add_to_rank(first + k, word >> half(digits[k]) & 0xffff);
+    }
+  }
+
+  /// The last lane with a digit: has counted them all.
+  __device__ static int leader(unsigned peers) { return kWarpThreads - 1 - __clz(peers); }
+
   /// The lanes whose digit is the same: those that vote alike on every bit.
-  __device__ static unsigned lanes_with(std::uint32_t digit) {
-    unsigned peers = kAllLanes;
+  __device__ static void find_peers(const std::uint32_t (&digits)[kAbreast],
+                                    unsigned (&peers)[kAbreast]) {
+#pragma unroll
+    for (int k = 0; k < kAbreast; ++k) peers[k] = kAllLanes;
 #pragma unroll
     for (int bit = 0; bit < kDigitBits; ++bit) {
-      const bool mine = (digit >> bit & 1) != 0;
-      const unsigned votes = __ballot_sync(kAllLanes, mine);
-      peers &= mine ? votes : ~votes;
+#pragma unroll
+      for (int k = 0; k < kAbreast; ++k) peers[k] &= lanes_alike(digits[k] & 1u << bit);
     }
-    return peers;
+  }
+
+  /// The lanes of whose words none or all are zero as this lane's. In PTX, since ranking is bound
+  /// by how many instructions it has, and from CUDA C++ there come seven a bit and not four.
+  __device__ static unsigned lanes_alike(std::uint32_t word) {
+    unsigned lanes;
+    asm volatile(
+        "{ .reg .pred nonzero;\n"
+        "  setp.ne.u32 nonzero, %1, 0;\n"
+        "  vote.sync.ballot.b32 %0, nonzero, 0xffffffff;\n"
+        "  @!nonzero not.b32 %0, %0; }"
+        : "=r"(lanes)
+        : "r"(word));
+    return lanes;
   }
 
   /// Look-back: an owner's word of this tile.
@@ -211,7 +245,8 @@ class Tile {
   /// Adds what stands in the tiles below.
   __device__ void look_back_for_digits() {
     if (number_ == 0) return;
-    const std::uint64_t below = look_back::sum_below<kOwners>(word() - kOwners, pass_.states);
+    const std::uint64_t below =
+        look_back::sum_below<kOwners, kAtOnce>(word() - kOwners, pass_.states);
     publish(pass_.states.whole, below + own_counts());
     s_.offsets[2 * threadIdx.x] += look_back::even_of(below);
     s_.offsets[2 * threadIdx.x + 1] += look_back::odd_of(below);
