@@ -26,6 +26,13 @@ double expected_ids(const SceneStats& stats, const Grid& grid) {
   return ids;
 }
 
+/// Cells, or, where far ones share an id, ids.
+double distinct_ids(const Grid& grid) {
+  double cells = 1.0;
+  for (const std::uint32_t along_axis : grid.cell_count) cells *= along_axis;
+  return std::min(cells, std::ldexp(1.0, grid.key_bits));
+}
+
 /// How often each cell id was met: open addressing, a quarter full at most.
 class CellCounter {
  public:
@@ -105,7 +112,7 @@ WorkEstimate estimate_work(const SceneStats& stats, const Grid& grid, const Cost
   const auto count = static_cast<double>(stats.facts.sphere_count);
   work.ids = std::max(expected_ids(stats, grid), count);
   const double spread = work.ids / count;
-  const double uniform = work.ids * work.ids / 2.0 / std::ldexp(1.0, grid.key_bits);
+  const double uniform = work.ids * work.ids / 2.0 / distinct_ids(grid);
   work.candidates = std::max(uniform, home_pairs_by_sample(stats, grid) * spread * spread);
   const double passes = sort_passes(grid.key_bits, costs.digit_bits);
   work.cost_ns = work.ids * (costs.per_id + costs.per_id_and_pass * passes) +
