@@ -35,7 +35,7 @@ Group molecule(int rounds) {
                  .argument = std::string(kMolecule),
                  .real = true,
                  .rounds = rounds,
-                 .rows = Rows::usual};
+                 .rows = Rows::every};
   try {
     group.n = load_or_generate(group.argument).spheres.size();
   } catch (const InputError& missing) {
@@ -62,7 +62,7 @@ void make_labels_distinct(std::vector<Group>& groups) {
 /// A gas that moves.
 void add_motion(std::vector<Group>& groups, Motion motion, std::uint64_t n, int frames,
                 int rounds) {
-  add(groups, "gas", n, rounds, n <= 10'000 ? Rows::usual : Rows::fast);
+  add(groups, "gas", n, rounds, n <= 1'000 ? Rows::every : n <= 10'000 ? Rows::usual : Rows::fast);
   groups.back().scene = fmt::format("gas_{}", kMotionNames[static_cast<std::size_t>(motion)]);
   groups.back().motion = motion;
   groups.back().frames = frames;
@@ -92,6 +92,7 @@ std::vector<Group> quick_groups() {
   for (const auto scene : kScenes) add(groups, scene, 10'000, 3, Rows::usual);
   groups.push_back(molecule(3));
   for (const auto scene : kScenes) add(groups, scene, 100'000, 3, Rows::fast);
+  add_motion(groups, Motion::brownian, 1'000, 12, 3);
   add_motion(groups, Motion::brownian, 10'000, 12, 3);
   add_motion(groups, Motion::brownian, 100'000, 10, 2);
   add(groups, "gas", 1'000'000, 3, Rows::fast);
@@ -110,7 +111,7 @@ std::vector<Group> full_groups() {
           n < 100'000 ? Rows::every : Rows::usual);
     }
   }
-  for (const std::uint64_t n : {10'000ULL, 100'000ULL, 1'000'000ULL}) {
+  for (const std::uint64_t n : {1'000ULL, 10'000ULL, 100'000ULL, 1'000'000ULL}) {
     for (const Motion motion : {Motion::brownian, Motion::free_fall, Motion::gravity}) {
       add_motion(groups, motion, n, n < 1'000'000 ? 30 : 12, 3);
     }
