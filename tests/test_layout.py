@@ -217,16 +217,3 @@ def test_no_work_is_left_marked_in_the_sources() -> None:
             continue
         text = path.read_text(encoding="utf-8")
         assert not re.search(r"\b(TODO|FIXME|XXX)\b|#if 0\b", text), name_of(path)
-
-
-def test_readme_markers_pair_up() -> None:
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
-    markers = re.findall(r"<!--\s*(/?)octocell:(\w+)\s*-->", text)
-    assert len(markers) == len(re.findall(r"octocell:\w+\s*-->", text))
-    opened, closed = markers[::2], markers[1::2]
-    assert markers, "the README's tables stand between markers, to be written by the report"
-    assert [("/", name) for _, name in opened] == closed
-    assert all(slash == "" for slash, _ in opened)
-    source = (ROOT / "reports/octocell_report/readme.py").read_text(encoding="utf-8")
-    for _, name in opened:
-        assert f'"{name}"' in source, f"the report knows no block {name}"
