@@ -4,11 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <csignal>
-#include <filesystem>
 #include <random>
 #include <regex>
 
+#include "harness/bench/interrupts.hpp"
 #include "harness/bench/machine.hpp"
 #include "harness/bench/memory.hpp"
 #include "harness/bench/progress.hpp"
@@ -21,17 +20,6 @@ namespace {
 
 constexpr int kExitWrongAnswer = 1;
 constexpr int kExitInterrupted = 130;
-
-volatile std::sig_atomic_t interrupted = 0;
-
-/// The first Ctrl-C ends the bench after the run in progress; the second ends it at once.
-void listen_for_interrupts() {
-  interrupted = 0;
-  std::signal(SIGINT, [](int) {
-    interrupted = 1;
-    std::signal(SIGINT, SIG_DFL);
-  });
-}
 
 std::regex compile_filter(const BenchOptions& options) {
   try {
@@ -121,12 +109,12 @@ class Bench {
         progress_(steps()) {}
 
   int run() {
-    make_output_folder();
+    results_.make_folder();
     results_.require_writable();
     listen_for_interrupts();
     for (const PlannedGroup& planned : groups_) {
       run_group(planned);
-      if (interrupted != 0) break;
+      if (interrupted()) break;
       results_.write();
     }
     return finish();
@@ -162,12 +150,6 @@ class Bench {
     return steps;
   }
 
-  void make_output_folder() const {
-    const std::filesystem::path folder = std::filesystem::path(options_.output).parent_path();
-    std::error_code ignored;  // require_writable() says what is wrong
-    if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
-  }
-
   void run_group(const PlannedGroup& planned) {
     const std::size_t first_step = next_step_;
     next_step_ += planned.rows.size();
@@ -185,7 +167,7 @@ class Bench {
     }
     verify_rows(group, rows);
     measure_rounds(group, rows);
-    if (interrupted != 0) return;  // a group counts when it is whole
+    if (interrupted()) return;  // a group counts when it is whole
     results_.add_group(describe_group(group, subject));
     for (ActiveRow& row : rows) {
       const RowRunner& runner = *row.runner;
@@ -199,7 +181,7 @@ class Bench {
     std::map<std::string, std::optional<std::string>> trials;    // how a baseline failed apart
     for (auto& [step, owned] : rows) {
       RowRunner& runner = *owned;
-      if (interrupted != 0) return;
+      if (interrupted()) return;
       show(group, runner, step, "checking");
       const auto begin = std::chrono::steady_clock::now();
       const RowSpec& row = runner.row();
@@ -232,7 +214,7 @@ class Bench {
     for (int round = 0; round < group.rounds; ++round) {
       std::shuffle(order.begin(), order.end(), shuffler);
       for (ActiveRow* row : order) {
-        if (interrupted != 0) return;
+        if (interrupted()) return;
         show(group, *row->runner, row->step,
              fmt::format("round {} of {}", round + 1, group.rounds));
         const auto begin = std::chrono::steady_clock::now();
@@ -253,11 +235,11 @@ class Bench {
   }
 
   int finish() {
-    if (interrupted == 0) results_.finish();
+    if (!interrupted()) results_.finish();
     results_.write();
     progress_.note(fmt::format(
-        "{}{}", interrupted != 0 ? "interrupted; finished groups are in " : "", options_.output));
-    if (interrupted != 0) return kExitInterrupted;
+        "{}{}", interrupted() ? "interrupted; finished groups are in " : "", options_.output));
+    if (interrupted()) return kExitInterrupted;
     return any_wrong_ ? kExitWrongAnswer : 0;
   }
 

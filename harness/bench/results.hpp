@@ -20,6 +20,7 @@ class Results {
   void finish() { document_["context"]["finished"] = true; }
 
   /// As ResultFile's.
+  void make_folder() const { file_.make_folder(); }
   void require_writable() const { file_.require_writable(); }
   void write() const { file_.write(document_); }
 
