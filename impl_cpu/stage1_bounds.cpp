@@ -40,7 +40,7 @@ void bounds(Workspace& w) {
   if (!seen->valid) {
     w.violation = describe_first_invalid(spheres);
   } else if (!within(seen->facts, w.plan.facts)) {
-    w.violation = "the spheres have left the box or the range of radii that the plan rests on";
+    w.violation = kFactsBroken;
   }
 }
 

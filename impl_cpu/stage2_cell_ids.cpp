@@ -87,12 +87,6 @@ struct Batch {
   }
 };
 
-Object object_of(std::uint32_t sphere, Cell cell, Cell lowest) {
-  const Object at_lowest = (cell.x == lowest.x ? 1U : 0U) | (cell.y == lowest.y ? 2U : 0U) |
-                           (cell.z == lowest.z ? 4U : 0U);
-  return sphere | at_lowest << kLowestShift;
-}
-
 /// At most two cells an axis: the corners of a 2 x 2 x 2 block, without a branch.
 void list_corners(const Grid& grid, std::uint32_t sphere, const CellRange& range, Cell home,
                   PhantomWriter& phantoms) {
@@ -140,18 +134,6 @@ void list_cells(Workspace& w, const Batch& batch, std::size_t i, std::uint32_t s
   list_range(grid, sphere, range, home, phantoms);
 }
 
-/// Bits 3..10: which of the eight types occur among the cells met.
-chapter32::ControlBits control_bits_of(const CellRange& range, Cell home) {
-  std::uint32_t met = 0;
-  for (std::uint32_t corner = 0; corner < 8; ++corner) {
-    const Cell cell = {(corner & 1U) != 0 ? range.highest.x : range.lowest.x,
-                       (corner & 2U) != 0 ? range.highest.y : range.lowest.y,
-                       (corner & 4U) != 0 ? range.highest.z : range.lowest.z};
-    met |= 1U << chapter32::cell_type(cell);
-  }
-  return static_cast<chapter32::ControlBits>(met << 3 | chapter32::cell_type(home));
-}
-
 /// Calls per_block(begin, end, phantoms) for blocks of spheres, each with its own writer.
 template <typename PerBlock>
 void emit_blocks(Workspace& w, const PerBlock& per_block) {
@@ -193,10 +175,11 @@ void emit_chapter32(Workspace& w) {
       w, chapter32::reach,
       [&](const Batch& batch, std::size_t i, std::uint32_t sphere, PhantomWriter& phantoms) {
         if (batch.longest_span(i) > 1) three_cells.store(true);
-        w.control_bits[sphere] = control_bits_of(batch.range(i), Batch::at(batch.home, i));
+        w.control_bits[sphere] =
+            chapter32::control_bits_of(batch.range(i), Batch::at(batch.home, i));
         list_cells(w, batch, i, sphere, phantoms);
       });
-  if (three_cells) w.violation = "rule chapter32: a sphere meets three cells on one axis";
+  if (three_cells) w.violation = chapter32::kMeetsThreeCells;
 }
 
 void emit_as_written(Workspace& w) {

@@ -136,10 +136,10 @@ class CudaBackend final : public GridPairFinder {
   [[nodiscard]] std::optional<std::string> words_for(std::uint32_t violations) const {
     if ((violations & kInvalidSphere) != 0) return describe_first_invalid(w_.scene.spheres);
     if ((violations & kOutsidePlan) != 0) {
-      return "the spheres have left the box or the range of radii that the plan rests on";
+      return kFactsBroken;
     }
     if ((violations & kThreeCells) != 0) {
-      return "rule chapter32: a sphere meets three cells on one axis";
+      return chapter32::kMeetsThreeCells;
     }
     return std::nullopt;
   }

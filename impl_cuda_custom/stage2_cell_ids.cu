@@ -86,8 +86,8 @@ __device__ std::uint64_t put_home(const Job& job, std::uint64_t i, CellBox& box)
   const Cell home = job.home(s);
   if (i < job.capacity) job.put(i, cell_id(job.grid, home), object_of(sphere, home, met.lowest));
   if (job.scaled) {
-    job.control_bits[i] = control_bits_of(met, home);
-    if (meets_three_cells(met)) atomicOr(&job.state->violations, kThreeCells);
+    job.control_bits[i] = chapter32::control_bits_of(met, home);
+    if (chapter32::meets_three_cells(met)) atomicOr(&job.state->violations, kThreeCells);
   }
   box = box_of(met, home);
   const std::uint64_t phantoms = phantoms_in(met);

@@ -71,7 +71,7 @@ void bounds(Workspace<System>& w) {
   if (!seen.valid) {
     w.violation = describe_first_invalid(w.scene.spheres);
   } else if (w.sphere_count() != w.plan.facts.sphere_count || !within(seen, w.plan.facts)) {
-    w.violation = "the spheres have left the box or the range of radii that the plan rests on";
+    w.violation = kFactsBroken;
   }
 }
 

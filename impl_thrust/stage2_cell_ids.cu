@@ -16,12 +16,6 @@
 namespace octocell::on_thrust {
 namespace {
 
-OCTOCELL_HD Object object_of(std::uint32_t sphere, Cell cell, Cell lowest) {
-  const Object at_lowest = (cell.x == lowest.x ? 1U : 0U) | (cell.y == lowest.y ? 2U : 0U) |
-                           (cell.z == lowest.z ? 4U : 0U);
-  return sphere | at_lowest << kLowestShift;
-}
-
 /// Rules lowest_cell and chapter32: the cells that the box p +- reach meets.
 struct GridCells {
   Grid grid;
@@ -34,10 +28,7 @@ struct GridCells {
     return cell_of(grid, s.x, s.y, s.z);
   }
   [[nodiscard]] OCTOCELL_HD std::uint64_t phantom_count(const Sphere& s) const {
-    const CellRange met = range(s);
-    return std::uint64_t{met.highest.x - met.lowest.x + 1} * (met.highest.y - met.lowest.y + 1) *
-               (met.highest.z - met.lowest.z + 1) -
-           1;
+    return phantoms_in(range(s));
   }
   /// put_home(id, object), then put_phantom(id, object) for each phantom.
   template <typename PutHome, typename PutPhantom>
@@ -125,24 +116,14 @@ void list_cells(Workspace<System>& w, const Cells& cells) {
 struct MeetsThreeCells {
   GridCells cells;
   OCTOCELL_HD bool operator()(const Sphere& s) const {
-    const auto [low, high] = cells.range(s);
-    return high.x - low.x > 1 || high.y - low.y > 1 || high.z - low.z > 1;
+    return chapter32::meets_three_cells(cells.range(s));
   }
 };
 
-/// Bits 3..10: which of the eight types occur among the cells met.
 struct ControlBitsOf {
   GridCells cells;
   OCTOCELL_HD chapter32::ControlBits operator()(const Sphere& s) const {
-    const CellRange met = cells.range(s);
-    std::uint32_t types = 0;
-    for (std::uint32_t corner = 0; corner < 8; ++corner) {
-      const Cell cell = {(corner & 1U) != 0 ? met.highest.x : met.lowest.x,
-                         (corner & 2U) != 0 ? met.highest.y : met.lowest.y,
-                         (corner & 4U) != 0 ? met.highest.z : met.lowest.z};
-      types |= 1U << chapter32::cell_type(cell);
-    }
-    return static_cast<chapter32::ControlBits>(types << 3 | chapter32::cell_type(cells.home(s)));
+    return chapter32::control_bits_of(cells.range(s), cells.home(s));
   }
 };
 
@@ -151,7 +132,7 @@ void list_chapter32(Workspace<System>& w) {
   const GridCells cells = {w.plan.grid, true};
   const Sphere* const end = w.spheres + w.sphere_count();
   if (thrust::any_of(w.system.policy(), w.spheres, end, MeetsThreeCells{cells})) {
-    w.violation = "rule chapter32: a sphere meets three cells on one axis";
+    w.violation = chapter32::kMeetsThreeCells;
     return;
   }
   thrust::transform(w.system.policy(), w.spheres, end, w.control_bits.data(), ControlBitsOf{cells});

@@ -29,6 +29,25 @@ OCTOCELL_HD std::uint32_t cell_type(Cell cell) {
 /// Bits 0..2: the home cell's type. Bits 3..10: the types of all cells met, one bit each.
 using ControlBits = std::uint16_t;
 
+OCTOCELL_HD ControlBits control_bits_of(const CellRange& met, Cell home) {
+  std::uint32_t types = 0;
+  for (std::uint32_t corner = 0; corner < 8; ++corner) {
+    const Cell cell = {(corner & 1U) != 0 ? met.highest.x : met.lowest.x,
+                       (corner & 2U) != 0 ? met.highest.y : met.lowest.y,
+                       (corner & 4U) != 0 ? met.highest.z : met.lowest.z};
+    types |= 1U << cell_type(cell);
+  }
+  return static_cast<ControlBits>(types << 3 | cell_type(home));
+}
+
+/// The rule holds only for spheres that meet at most two cells on each axis: parity tells no more.
+OCTOCELL_HD bool meets_three_cells(const CellRange& met) {
+  return met.highest.x - met.lowest.x > 1 || met.highest.y - met.lowest.y > 1 ||
+         met.highest.z - met.lowest.z > 1;
+}
+inline constexpr const char* kMeetsThreeCells =
+    "rule chapter32: a sphere meets three cells on one axis";
+
 /// The rule: may this pair be tested in a cell of type `type`?  Not where both are phantoms (the
 /// caller sees to that), and not where a home of lower type, which both of them meet, comes first.
 OCTOCELL_HD bool tests_pair_here(std::uint32_t type, ControlBits a, ControlBits b) {

@@ -72,6 +72,13 @@ struct CellRange {
   Cell highest;
 };
 
+/// All cells of the range but the home.
+OCTOCELL_HD std::uint64_t phantoms_in(const CellRange& met) {
+  return std::uint64_t{met.highest.x - met.lowest.x + 1} * (met.highest.y - met.lowest.y + 1) *
+             (met.highest.z - met.lowest.z + 1) -
+         1;
+}
+
 OCTOCELL_HD CellRange cells_met(const Grid& grid, const Sphere& s, float reach) {
   return {cell_of(grid, s.x - reach, s.y - reach, s.z - reach),
           cell_of(grid, s.x + reach, s.y + reach, s.z + reach)};

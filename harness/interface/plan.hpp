@@ -39,6 +39,10 @@ struct PlanFacts {
   float r_min_nonzero = 0.0F;  // smallest radius above zero; 0 if there is none
 };
 
+/// What Counts::plan_violation says where they no longer hold.
+inline constexpr const char* kFactsBroken =
+    "the spheres have left the box or the range of radii that the plan rests on";
+
 struct Plan {
   Method method = Method::home_phantom;
   Rule rule = Rule::lowest_cell;

@@ -27,10 +27,6 @@ struct Pass {
   Digit digit;
 };
 
-__device__ std::uint32_t digit_of(std::uint32_t key, Digit digit) {
-  return key >> digit.shift & ((1u << digit.width) - 1);
-}
-
 __device__ std::uint32_t part_of_group() { return blockIdx.x * kGroups + warp_of_thread(); }
 
 /// Phase 1, setup and tabulation: how often each digit occurs in each group's part.

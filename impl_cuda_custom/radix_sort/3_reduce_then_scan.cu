@@ -28,10 +28,6 @@ struct Pass {
   Digit digit;
 };
 
-__device__ std::uint32_t digit_of(std::uint32_t key, Digit digit) {
-  return key >> digit.shift & ((1u << digit.width) - 1);
-}
-
 /// Upsweep: how often each digit occurs in each tile.
 __global__ void __launch_bounds__(kThreads) upsweep_kernel(Pass pass, DigitTable table) {
   __shared__ std::uint32_t counts[kDigits];

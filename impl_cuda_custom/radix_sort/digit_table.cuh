@@ -19,6 +19,10 @@ struct DigitTable {
   }
 };
 
+__device__ inline std::uint32_t digit_of(std::uint32_t key, Digit digit) {
+  return key >> digit.shift & ((1u << digit.width) - 1);
+}
+
 inline std::uint64_t table_bytes(int rows, std::uint32_t columns) {
   return sizeof(std::uint32_t) * static_cast<std::uint64_t>(rows) * (std::uint64_t{columns} + 1);
 }
