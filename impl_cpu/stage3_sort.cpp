@@ -18,7 +18,7 @@ KeysAndValues used_part(const IdArrays& ids, std::uint64_t count) {
 void sort(Workspace& w) {
   if (w.violation || !w.ids_complete()) return;
   w.current = radix_sort(used_part(w.ids[0], w.id_count), used_part(w.ids[1], w.id_count),
-                         w.plan.grid.key_bits, *w.threads);
+                         w.plan.key_bits, *w.threads);
 }
 
 }  // namespace octocell::cpu

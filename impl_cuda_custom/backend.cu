@@ -38,7 +38,7 @@ class CudaBackend final : public GridPairFinder {
     w_.scene = scene;
     w_.sorter.reset();
     if (plan.method == Method::home_phantom) {
-      w_.sorter.emplace(Rung::onesweep, plan.capacity.ids, plan.grid.key_bits);
+      w_.sorter.emplace(Rung::onesweep, plan.capacity.ids, plan.key_bits);
     }
     allocate();
     update(scene);

@@ -29,20 +29,29 @@ struct Cell {
   std::uint32_t z;
 };
 
-struct Grid {
-  float units_per_length = 1.0F;          // 2^-k
-  double first_unit[3] = {0, 0, 0};       // floor(lowest centre * 2^-k)
-  double last_unit[3] = {0, 0, 0};        // of the box, counted from first_unit; <= kMaxUnits
-  std::uint32_t units_per_cell = 1;       // m, 1..kMaxUnitsPerCell
+/// How an axis is cut into cells.
+struct CellWidth {
+  std::uint32_t units = 1;                // m, 1..kMaxUnitsPerCell
   int reciprocal_bits = kReciprocalBits;  // b
-  std::uint64_t cells_per_unit = std::uint64_t{1} << kReciprocalBits;  // ceil(2^b / m)
+  std::uint64_t reciprocal = std::uint64_t{1} << kReciprocalBits;  // ceil(2^b / m)
+};
+
+struct Grid {
+  float units_per_length = 1.0F;     // 2^-k
+  double first_unit[3] = {0, 0, 0};  // floor(lowest centre * 2^-k)
+  double last_unit[3] = {0, 0, 0};   // of the box, counted from first_unit; <= kMaxUnits
+  CellWidth width[3];                // equal, but for the columns of method half_shell
   std::uint32_t cell_count[3] = {1, 1, 1};       // cells along each axis before wrapping
   std::uint32_t wrap_mask[3] = {~0U, ~0U, ~0U};  // period - 1 on a wrapped axis, all ones elsewhere
   std::uint32_t stride_y = 1;                    // ids: x + stride_y * y + stride_z * z
   std::uint32_t stride_z = 1;
   int key_bits = 0;        // every id is below 2^key_bits
-  double cell_side = 1.0;  // m * 2^k, for people
+  double cell_side = 1.0;  // of y and z: m * 2^k
 
+  /// Cells along an axis before ids repeat.
+  [[nodiscard]] OCTOCELL_HD std::uint32_t period(int axis) const {
+    return wrap_mask[axis] == ~0U ? cell_count[axis] : wrap_mask[axis] + 1;
+  }
   /// Wrapped ids may stand for several cells; far cells only, see make_grid().
   [[nodiscard]] bool wraps() const { return (wrap_mask[0] & wrap_mask[1] & wrap_mask[2]) != ~0U; }
 };
@@ -54,7 +63,8 @@ OCTOCELL_HD std::uint32_t cell_coordinate(const Grid& grid, int axis, float valu
   unit = unit < 0.0 ? 0.0 : unit;
   unit = unit > grid.last_unit[axis] ? grid.last_unit[axis] : unit;
   const auto whole = static_cast<std::uint64_t>(static_cast<std::int32_t>(unit));
-  return static_cast<std::uint32_t>((whole * grid.cells_per_unit) >> grid.reciprocal_bits);
+  const CellWidth& width = grid.width[axis];
+  return static_cast<std::uint32_t>((whole * width.reciprocal) >> width.reciprocal_bits);
 }
 
 OCTOCELL_HD std::uint32_t cell_id(const Grid& grid, Cell cell) {

@@ -13,10 +13,11 @@
 
 namespace octocell {
 
-enum class Method : std::uint8_t { home_phantom, brute_force };
+enum class Method : std::uint8_t { home_phantom, half_shell, brute_force };
 enum class Rule : std::uint8_t { lowest_cell, chapter32, as_written };
 
-inline constexpr std::array<std::string_view, 2> kMethodNames = {"home_phantom", "brute_force"};
+inline constexpr std::array<std::string_view, 3> kMethodNames = {"home_phantom", "half_shell",
+                                                                 "brute_force"};
 inline constexpr std::array<std::string_view, 3> kRuleNames = {"lowest_cell", "chapter32",
                                                                "as_written"};
 constexpr std::string_view name_of(Method m) { return kMethodNames[static_cast<std::size_t>(m)]; }
@@ -39,6 +40,33 @@ struct PlanFacts {
   float r_min_nonzero = 0.0F;  // smallest radius above zero; 0 if there is none
 };
 
+/// Method half_shell: the spheres of one class of size, and the grid made to their measure.
+///
+/// A cell is a diameter wide, so that spheres of the level that overlap lie in the same or in
+/// adjacent cells (docs/exactness.md, claim A). Along x cells are cut into columns, finer: `reach`
+/// columns are at least a diameter. The id of a column is first_id + column + columns * (row),
+/// row = y + rows_y * z, so that a row's columns, sorted, lie side by side.
+struct Level {
+  float r_max = 0.0F;          // radii above the level below, up to this
+  Grid grid;                   // ids from 0
+  std::uint32_t first_id = 0;  // its ids are [first_id, first_id + ids)
+  std::uint32_t ids = 1;
+  std::uint32_t reach = 1;     // in columns
+};
+inline constexpr int kMaxLevels = 6;
+
+struct Levels {
+  int count = 0;
+  Level level[kMaxLevels];  // the smallest spheres first
+};
+
+/// The level of a sphere: the first that is wide enough. r <= r_max of the last.
+OCTOCELL_HD int level_of(const Levels& levels, float r) {
+  int level = 0;
+  while (level + 1 < levels.count && r > levels.level[level].r_max) ++level;
+  return level;
+}
+
 /// What Counts::plan_violation says where they no longer hold.
 inline constexpr const char* kFactsBroken =
     "the spheres have left the box or the range of radii that the plan rests on";
@@ -46,7 +74,9 @@ inline constexpr const char* kFactsBroken =
 struct Plan {
   Method method = Method::home_phantom;
   Rule rule = Rule::lowest_cell;
-  Grid grid;
+  Grid grid;      // of method home_phantom
+  Levels levels;  // of method half_shell
+  int key_bits = 0;  // every cell id is below 2^key_bits
   Band band = Band::safe;
   PlanFacts facts;
   Capacities capacity;

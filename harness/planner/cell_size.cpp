@@ -76,19 +76,6 @@ double largest_extent(const PlanFacts& facts) {
   return extent;
 }
 
-/// Cube root of the box's volume per sphere; an axis thinner than the spacing does not count.
-double mean_spacing(const PlanFacts& facts) {
-  double extent[3];
-  for (int a = 0; a < 3; ++a) extent[a] = static_cast<double>(facts.highest[a]) - facts.lowest[a];
-  std::sort(extent, extent + 3);
-  const auto count = static_cast<double>(facts.sphere_count);
-  const double volume_spacing = std::cbrt(extent[0] * extent[1] * extent[2] / count);
-  const double area_spacing = std::sqrt(extent[1] * extent[2] / count);
-  const double length_spacing = extent[2] / count;
-  if (extent[0] >= volume_spacing && volume_spacing > 0.0) return volume_spacing;
-  return extent[1] >= area_spacing && area_spacing > 0.0 ? area_spacing : length_spacing;
-}
-
 struct SideRange {
   double smallest;
   double largest;
@@ -105,6 +92,18 @@ SideRange sides_worth_trying(const SceneStats& stats) {
 }
 
 }  // namespace
+
+double mean_spacing(const PlanFacts& facts) {
+  double extent[3];
+  for (int a = 0; a < 3; ++a) extent[a] = static_cast<double>(facts.highest[a]) - facts.lowest[a];
+  std::sort(extent, extent + 3);
+  const auto count = static_cast<double>(facts.sphere_count);
+  const double volume_spacing = std::cbrt(extent[0] * extent[1] * extent[2] / count);
+  const double area_spacing = std::sqrt(extent[1] * extent[2] / count);
+  const double length_spacing = extent[2] / count;
+  if (extent[0] >= volume_spacing && volume_spacing > 0.0) return volume_spacing;
+  return extent[1] >= area_spacing && area_spacing > 0.0 ? area_spacing : length_spacing;
+}
 
 WorkEstimate estimate_work(const SceneStats& stats, const Grid& grid, const Costs& costs) {
   WorkEstimate work;

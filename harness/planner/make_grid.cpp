@@ -9,7 +9,6 @@
 namespace octocell {
 namespace {
 
-constexpr int kMaxKeyBits = 31;
 constexpr int kMinUnitExponent = -126;  // 2^126, its inverse, is a finite float
 constexpr int kMaxUnitExponent = 126;
 
@@ -39,11 +38,11 @@ void place_axes(Grid& grid, const PlanFacts& facts) {
 }
 
 /// Bits for each axis; the longest axes give way until all fit.
-void number_cells(Grid& grid) {
+void number_cells(Grid& grid, int most_bits) {
   int bits[3];
   for (int a = 0; a < 3; ++a) bits[a] = static_cast<int>(std::bit_width(grid.cell_count[a] - 1));
   std::uint64_t period[3] = {grid.cell_count[0], grid.cell_count[1], grid.cell_count[2]};
-  const auto too_many = [&] { return period[0] * period[1] > (1ULL << kMaxKeyBits) / period[2]; };
+  const auto too_many = [&] { return period[0] * period[1] > (1ULL << most_bits) / period[2]; };
   while (too_many()) {
     const int longest = static_cast<int>(std::max_element(bits, bits + 3) - bits);
     --bits[longest];
@@ -55,28 +54,37 @@ void number_cells(Grid& grid) {
   grid.key_bits = static_cast<int>(std::bit_width(period[0] * period[1] * period[2] - 1));
 }
 
-bool periods_are_wide_enough(const Grid& grid, double widest) {
-  for (const std::uint32_t mask : grid.wrap_mask) {
-    if (mask != ~0U && 2.0 * (widest / grid.cell_side + 2.0) > static_cast<double>(mask) + 1.0)
-      return false;
+/// No wrapped axis has a period below `cells`.
+bool periods_have(const Grid& grid, const double (&cells)[3]) {
+  for (int a = 0; a < 3; ++a) {
+    const std::uint32_t mask = grid.wrap_mask[a];
+    if (mask != ~0U && cells[a] > static_cast<double>(mask) + 1.0) return false;
   }
   return true;
 }
 
-Grid grid_with_unit(const PlanFacts& facts, int k, double cell_side) {
+CellWidth width_of(std::uint32_t units) {
+  CellWidth width;
+  width.units = units;
+  width.reciprocal_bits = kReciprocalBits + static_cast<int>(std::bit_width(units - 1));
+  width.reciprocal = ((std::uint64_t{1} << width.reciprocal_bits) + units - 1) / units;
+  return width;
+}
+
+/// `columns`: into how many a cell is cut along x.
+Grid grid_with_unit(const PlanFacts& facts, int k, double cell_side, std::uint32_t columns,
+                    int most_bits) {
   Grid grid;
   const double unit = std::ldexp(1.0, k);
   grid.units_per_length = std::ldexp(1.0F, -k);
   // cell_side / unit is exact: unit is a power of two.
-  const double units = std::clamp(std::ceil(cell_side / unit), 1.0, double{kMaxUnitsPerCell});
-  grid.units_per_cell = static_cast<std::uint32_t>(units);
-  grid.reciprocal_bits =
-      kReciprocalBits + static_cast<int>(std::bit_width(grid.units_per_cell - 1));
-  grid.cells_per_unit =
-      ((std::uint64_t{1} << grid.reciprocal_bits) + grid.units_per_cell - 1) / grid.units_per_cell;
+  const auto units = static_cast<std::uint32_t>(
+      std::clamp(std::ceil(cell_side / unit), 1.0, double{kMaxUnitsPerCell}));
+  grid.width[0] = width_of((units + columns - 1) / columns);
+  grid.width[1] = grid.width[2] = width_of(units);
   grid.cell_side = units * unit;
   place_axes(grid, facts);
-  number_cells(grid);
+  number_cells(grid, most_bits);
   return grid;
 }
 
@@ -98,10 +106,27 @@ double widest_box(const PlanFacts& facts, float reach) {
 
 Grid make_grid(const PlanFacts& facts, double cell_side, double widest) {
   for (double side = cell_side;; side *= 2.0) {
-    const Grid grid = grid_with_unit(facts, unit_exponent(facts, side), side);
-    if (periods_are_wide_enough(grid, widest)) return grid;
+    const Grid grid = grid_with_unit(facts, unit_exponent(facts, side), side, 1, kMaxKeyBits);
+    const double period = 2.0 * (widest / grid.cell_side + 2.0);
+    const double periods[3] = {period, period, period};
+    if (periods_have(grid, periods)) return grid;
     side = std::max(side, grid.cell_side);
   }
+}
+
+Level make_level(const PlanFacts& facts, float r_max, double cell_side, std::uint32_t columns,
+                 int most_bits) {
+  const double least = std::max(2.0 * static_cast<double>(r_max), 0x1p-149);
+  const double side = std::max(cell_side, least);
+  Level level;
+  level.r_max = r_max;
+  level.grid = grid_with_unit(facts, unit_exponent(facts, side), side, columns, most_bits);
+  const Grid& grid = level.grid;
+  const std::uint32_t column_units = grid.width[0].units;
+  level.reach = (grid.width[1].units + column_units - 1) / column_units;
+  level.ids = 1;
+  for (int a = 0; a < 3; ++a) level.ids *= grid.period(a);
+  return level;
 }
 
 }  // namespace octocell

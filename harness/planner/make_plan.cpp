@@ -47,6 +47,17 @@ Grid choose_grid(const SceneStats& stats, const PlanOptions& options) {
   return grid;
 }
 
+void choose_cells(Plan& plan, const SceneStats& stats, const PlanOptions& options) {
+  if (plan.method == Method::home_phantom) {
+    plan.grid = choose_grid(stats, options);
+    plan.key_bits = plan.grid.key_bits;
+  }
+  if (plan.method == Method::half_shell) {
+    plan.levels = cheapest_levels(stats, options.costs);
+    plan.key_bits = key_bits_of(plan.levels);
+  }
+}
+
 Band choose_band(const PlanFacts& facts) {
   const bool in_range = facts.r_max == 0.0F ||
                         (facts.r_min_nonzero >= kFastRadiusMin && facts.r_max <= kFastRadiusMax);
@@ -78,6 +89,10 @@ Capacities first_capacities(const SceneStats& stats, const Plan& plan) {
   if (plan.method == Method::home_phantom) {
     room.ids = id_capacity(stats, plan);
     room.cells = room.ids / 2 + 1;
+  }
+  if (plan.method == Method::half_shell) {
+    room.ids = stats.facts.sphere_count;
+    room.cells = stats.facts.sphere_count;  // rows: each holds a sphere
   }
   room.pairs = pair_capacity(stats.facts.sphere_count, plan.count_only);
   room.doubts = room.pairs;
@@ -132,9 +147,7 @@ Plan make_plan(const SceneStats& seen, const PlanOptions& options) {
   plan.candidate_limit = options.candidate_limit;
   plan.facts = stats.facts;
   plan.band = choose_band(stats.facts);
-  if (plan.method == Method::home_phantom && stats.facts.sphere_count > 0) {
-    plan.grid = choose_grid(stats, options);
-  }
+  if (stats.facts.sphere_count > 0) choose_cells(plan, stats, options);
   plan.capacity = first_capacities(stats, plan);
   return plan;
 }

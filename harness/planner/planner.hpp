@@ -10,6 +10,16 @@
 
 namespace octocell {
 
+/// The same of method half_shell.
+struct ShellCosts {
+  double per_sphere = 10.0;    // id, gathering, and the window in its own row
+  double per_row = 30.0;       // to find a row's neighbours
+  double per_window = 3.0;     // of a sphere in a neighbouring row
+  double per_candidate = 0.3;  // in a window
+  double per_probe = 15.0;     // of a sphere in a row of a finer level
+  std::uint32_t most_columns = 8;  // into which a cell is cut
+};
+
 /// What work costs on the machine that will do it, in nanoseconds; only the ratios matter.
 /// The defaults are one CPU's (docs/decisions/0004-cell-size.md).
 struct Costs {
@@ -17,6 +27,7 @@ struct Costs {
   double per_id_and_pass = 2.2;  // to sort it by one digit
   double per_candidate = 0.4;
   int digit_bits = 8;            // the most that one pass sorts by
+  ShellCosts shell = {};
 };
 
 /// What a caller may fix; the planner decides the rest.
@@ -57,6 +68,28 @@ double widest_box(const PlanFacts& facts, float reach);
 /// least twice (`widest`, the width of what a sphere may cover, plus two cells), so that no two
 /// overlapping spheres meet in a cell that only shares its id with another.
 Grid make_grid(const PlanFacts& facts, double cell_side, double widest);
+
+/// The finest grid for half_shell over the box of centres whose cells are at least `cell_side` and
+/// two `r_max` wide, cut into at most `columns` columns, with ids below 2^most_bits. Axes wrap as
+/// above; 2^most_bits >= 2^27 leaves a wrapped axis a period of 2^8 or more, where four cells and
+/// two reaches are needed.
+Level make_level(const PlanFacts& facts, float r_max, double cell_side, std::uint32_t columns,
+                 int most_bits);
+
+/// The levels with the least expected work for half_shell, which is correct with any.
+Levels cheapest_levels(const SceneStats& stats, const Costs& costs = {});
+
+/// Nanoseconds that half_shell is expected to take with them.
+double estimate_cost(const SceneStats& stats, const Levels& levels, const Costs& costs = {});
+
+/// Every id of the levels is below two to this.
+int key_bits_of(const Levels& levels);
+
+inline constexpr int kMaxKeyBits = 31;
+
+/// The usual distance of neighbours: the cube root of the box's volume per sphere; an axis thinner
+/// than that does not count.
+double mean_spacing(const PlanFacts& facts);
 
 /// Work that home_phantom with rule lowest_cell is expected to do on a grid.
 struct WorkEstimate {

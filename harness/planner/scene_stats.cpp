@@ -44,13 +44,15 @@ std::vector<RadiusClass> classify_radii(SceneView scene, const PlanFacts& facts)
   if (facts.r_min_nonzero == facts.r_max) {
     // Zeros, if any, are counted with the others: an upper bound, and exact in the common case.
     return {{.count = count,
-             .radius_sum = static_cast<double>(facts.r_max) * static_cast<double>(count)}};
+             .radius_sum = static_cast<double>(facts.r_max) * static_cast<double>(count),
+             .largest = facts.r_max}};
   }
   std::array<RadiusClass, 256> classes = {};
   for (const Sphere& s : scene.spheres) {
     RadiusClass& c = classes[std::bit_cast<std::uint32_t>(s.r) >> 23 & 0xffU];
     ++c.count;
     c.radius_sum += s.r;
+    c.largest = std::max(c.largest, s.r);
   }
   std::vector<RadiusClass> found;
   for (const RadiusClass& c : classes) {

@@ -12,6 +12,7 @@ namespace octocell {
 struct RadiusClass {
   std::uint64_t count = 0;
   double radius_sum = 0.0;
+  float largest = 0.0F;
   [[nodiscard]] double mean_radius() const {
     return count == 0 ? 0.0 : radius_sum / static_cast<double>(count);
   }
