@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "impl_cpu/stages.hpp"
+#include "impl_cpu/half_shell/half_shell.hpp"
 
 namespace octocell::cpu {
 namespace {
@@ -21,8 +21,13 @@ class CpuBackend final : public GridPairFinder {
     const Capacities& room = plan.capacity;
     for (IdArrays& ids : w_.ids) ids.allocate(room.ids);
     if (plan.rule == Rule::chapter32) w_.control_bits.allocate(scene.spheres.size());
-    w_.cells.allocate(room.cells);
-    w_.crowded_cells.allocate(room.ids / kTileSpheres + 1);
+    if (plan.method == Method::half_shell) {
+      w_.ordered.allocate(scene.spheres.size());
+      w_.rows_of_block.resize(scene.spheres.size() / half_shell::kIndexedPerBlock + 1);
+    } else {
+      w_.cells.allocate(room.cells);
+      w_.crowded_cells.allocate(room.ids / kTileSpheres + 1);
+    }
     w_.doubts.allocate(room.doubts);
     w_.pairs.allocate(room.pairs);
   }
@@ -33,7 +38,7 @@ class CpuBackend final : public GridPairFinder {
   Counts counts() override {
     Counts found;
     found.ids = w_.id_count;
-    found.cells = w_.cells.size();
+    found.cells = w_.plan.method == Method::half_shell ? w_.ordered.row_count : w_.cells.size();
     found.candidates = w_.candidates;
     found.doubts = w_.doubts.size();
     found.pairs = w_.pairs.size();

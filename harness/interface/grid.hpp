@@ -50,10 +50,11 @@ struct Grid {
 
   /// Cells along an axis before ids repeat.
   [[nodiscard]] OCTOCELL_HD std::uint32_t period(int axis) const {
-    return wrap_mask[axis] == ~0U ? cell_count[axis] : wrap_mask[axis] + 1;
+    return wraps(axis) ? wrap_mask[axis] + 1 : cell_count[axis];
   }
+  [[nodiscard]] OCTOCELL_HD bool wraps(int axis) const { return wrap_mask[axis] != ~0U; }
   /// Wrapped ids may stand for several cells; far cells only, see make_grid().
-  [[nodiscard]] bool wraps() const { return (wrap_mask[0] & wrap_mask[1] & wrap_mask[2]) != ~0U; }
+  [[nodiscard]] bool wraps() const { return wraps(0) || wraps(1) || wraps(2); }
 };
 
 /// The cell index along one axis. `value` may be infinite (p + r beyond FLT_MAX), never NaN.

@@ -21,7 +21,8 @@ namespace {
 constexpr Costs kDeviceCosts = {
     .per_id = 0.042, .per_id_and_pass = 0.018, .per_candidate = 0.0037, .digit_bits = 10};
 
-constexpr std::array kAllMethods = {Method::home_phantom, Method::brute_force};
+constexpr std::array kAllMethods = {Method::home_phantom, Method::half_shell, Method::brute_force};
+constexpr std::array kTwoMethods = {Method::home_phantom, Method::brute_force};
 
 std::optional<std::string> always_available() { return std::nullopt; }
 
@@ -54,14 +55,14 @@ constexpr std::array kBackends = {
     BackendInfo{.name = "impl_thrust",
                 .kind = Kind::backend,
                 .summary = on_thrust::kHostSummary,
-                .methods = kAllMethods,
+                .methods = kTwoMethods,
                 .threaded = on_thrust::kHostThreaded,
                 .why_unavailable = always_available,
                 .create = on_thrust::make_host_backend},
     BackendInfo{.name = "impl_thrust_cuda",
                 .kind = Kind::backend,
                 .summary = on_thrust::kCudaSummary,
-                .methods = kAllMethods,
+                .methods = kTwoMethods,
                 .threaded = false,
                 .why_unavailable = on_thrust::why_no_cuda,
                 .create = on_thrust::make_cuda_backend,
@@ -70,7 +71,7 @@ constexpr std::array kBackends = {
     BackendInfo{.name = "impl_cuda_custom",
                 .kind = Kind::backend,
                 .summary = "uniform grid and radix sort, kernels of our own (CUDA)",
-                .methods = kAllMethods,
+                .methods = kTwoMethods,
                 .threaded = false,
                 .why_unavailable = cuda_custom::why_unavailable,
                 .create = cuda_custom::make_backend,
