@@ -16,7 +16,7 @@ KeysAndValues used_part(const IdArrays& ids, std::uint64_t count) {
 }  // namespace
 
 void sort(Workspace& w) {
-  if (w.violation || !w.ids_complete()) return;
+  if (w.violation || !w.ids_complete() || w.ids_are_sorted) return;
   w.current = radix_sort(used_part(w.ids[0], w.id_count), used_part(w.ids[1], w.id_count),
                          w.plan.key_bits, *w.threads);
 }

@@ -38,6 +38,7 @@ struct Workspace {
 
   IdArrays ids[2];                              // [plan.capacity.ids]
   int current = 0;                              // which of the two holds the ids now
+  bool ids_are_sorted = false;                  // found by stage 2; there is nothing to sort
   std::uint64_t id_count = 0;                   // ids needed; more than the capacity: none is valid
   Buffer<chapter32::ControlBits> control_bits;  // [spheres], rule chapter32 only
   SharedList<CellEntry> cells;

@@ -20,7 +20,7 @@ Json identity(const Group& group, const RowSpec& row) {
   return {{"name", row_name(row, group)},
           {"backend", how.backend->name},
           {"kind", how.is_baseline() ? "baseline" : "backend"},
-          {"method", how.is_baseline() ? Json() : Json(name_of(how.method))},
+          {"method", how.is_baseline() ? Json() : Json(how.method_name())},
           {"rule", how.has_rule() ? Json(name_of(how.rule)) : Json()},
           {"scene", group.scene},
           {"n", group.n},
@@ -53,7 +53,7 @@ void add_times(Json& json, const Group& group, const RowSpec& row, const RowResu
   }
   json["stage_bytes"] = Json::object();
   if (row.how.backend->device && !result.skipped) {
-    for (const auto& [stage, bytes] : stage_bytes(row.how.method, group.n, result.counts)) {
+    for (const auto& [stage, bytes] : stage_bytes(result.method, group.n, result.counts)) {
       json["stage_bytes"][std::string(name_of(stage))] = bytes;
     }
   }

@@ -20,19 +20,18 @@ bool has_time_for(const Implementation& how, Rows rows) {
   const auto is_among = [&](const auto& names) {
     return std::ranges::find(names, how.backend->name) != std::end(names);
   };
-  const bool is_default = how.has_rule() && how.rule == Rule::lowest_cell;
+  const bool is_default = how.planned();
   const bool on_device = how.backend->device;
   if (rows == Rows::device_default) return on_device && is_default;
   if (rows == Rows::device) return on_device;
   if (rows == Rows::headline) return on_device || is_default;
-  if (rows == Rows::fast) return how.is_baseline() ? is_among(kFastBaselines) : how.has_rule();
+  if (rows == Rows::fast) return how.is_baseline() ? is_among(kFastBaselines) : how.method != Method::brute_force;
   return rows == Rows::every || !is_among(kSlowBaselines);
 }
 
 std::vector<int> thread_counts(const Implementation& how) {
   const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const bool headline = how.has_rule() && how.rule == Rule::lowest_cell;
-  if (!how.backend->threaded || !headline || all == 1) return {1};
+  if (!how.backend->threaded || !how.planned() || all == 1) return {1};
   return {1, all};
 }
 
@@ -40,7 +39,7 @@ std::vector<int> thread_counts(const Implementation& how) {
 
 std::string row_name(const RowSpec& row, const Group& group) {
   std::string name = fmt::format("find_pairs/backend:{}", row.how.backend->name);
-  if (!row.how.is_baseline()) name += fmt::format("/method:{}", name_of(row.how.method));
+  if (!row.how.is_baseline()) name += fmt::format("/method:{}", row.how.method_name());
   if (row.how.has_rule()) name += fmt::format("/rule:{}", name_of(row.how.rule));
   return name + fmt::format("/scene:{}/n:{}/threads:{}/run:{}", group.scene, group.n, row.threads,
                             name_of(row.run));

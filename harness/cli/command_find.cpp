@@ -42,8 +42,10 @@ Implementation chosen_implementation(const Options& options) {
   }
   if (!options.method.empty()) chosen.method = method_named(options.method);
   if (!options.rule.empty()) chosen.rule = rule_named(options.rule);
-  if (!chosen.has_rule() && (!options.rule.empty() || options.cell_side)) {
-    throw InputError(fmt::format("method {} has no rules and no cells", name_of(chosen.method)));
+  const bool of_home_phantom = !options.rule.empty() || options.cell_side;
+  if (chosen.planned() && of_home_phantom) chosen.method = Method::home_phantom;
+  if (!chosen.has_rule() && of_home_phantom) {
+    throw InputError(fmt::format("method {} has no rules and no cells", chosen.method_name()));
   }
   return chosen;
 }
@@ -76,7 +78,7 @@ nlohmann::ordered_json to_json(const Answer& answer) {
       {"scene", answer.scene.spec},
       {"n", answer.scene.spheres.size()},
       {"backend", how.backend->name},
-      {"method", how.is_baseline() ? nlohmann::ordered_json() : name_of(how.method)},
+      {"method", how.is_baseline() ? nlohmann::ordered_json() : name_of(answer.outcome.plan.method)},
       {"rule",
        how.has_rule() ? nlohmann::ordered_json(name_of(how.rule)) : nlohmann::ordered_json()},
       {"threads", how.backend->threaded ? answer.outcome.plan.threads : 1},
@@ -160,8 +162,8 @@ void add_find(CLI::App& app, Command& command) {
   sub->add_option("SCENE", o->scene, "A file (.npy, .csv, .pqr) or a generator: gas:n=1e5,seed=7")
       ->required();
   sub->add_option("--backend", o->backend, "A backend or a baseline; see 'octocell list'");
-  sub->add_option("--method", o->method, "home_phantom (default) or brute_force");
-  sub->add_option("--rule", o->rule, "lowest_cell (default), chapter32 or as_written");
+  sub->add_option("--method", o->method, "home_phantom, half_shell or brute_force; default: the planner chooses");
+  sub->add_option("--rule", o->rule, "Of home_phantom: lowest_cell (default), chapter32 or as_written");
   sub->add_option("--cell-side", o->cell_side, "Cell side in scene units, for rule lowest_cell");
   sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
   sub->add_option("-o,--output", o->output, "Write the pairs: NPY, (M, 2) uint32, i < j, sorted");

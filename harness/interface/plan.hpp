@@ -10,6 +10,7 @@
 
 #include "harness/interface/grid.hpp"
 #include "harness/interface/predicate.hpp"
+#include "harness/interface/skips.hpp"
 
 namespace octocell {
 
@@ -82,7 +83,9 @@ struct Plan {
   Capacities capacity;
   int sort_digit_bits = 8;  // the most that one pass of the backend's sort takes
   int threads = 1;
-  bool count_only = false;  // keep count and checksum, store no pairs
+  Skips allowed = Skips::all();  // what may be left out where the scene shows that it can
+  bool moving = false;           // updates will come: what a frame leaves may serve the next
+  bool count_only = false;       // keep count and checksum, store no pairs
   /// Pair tests are not started when more candidates than this are counted beforehand.
   std::uint64_t candidate_limit = ~std::uint64_t{0};
 };

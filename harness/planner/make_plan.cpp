@@ -14,6 +14,7 @@ namespace {
 
 /// Positions in the sorted arrays are 32-bit numbers.
 constexpr std::uint64_t kMaxIds = 4294967295;
+constexpr int kIdBits = 32;
 
 /// Sound only while a rounding of p +- S is small beside r_max (docs/exactness.md, claim C).
 void require_chapter32(const PlanFacts& facts) {
@@ -53,12 +54,16 @@ void choose_cells(Plan& plan, const SceneStats& stats, const PlanOptions& option
     plan.key_bits = plan.grid.key_bits;
   }
   if (plan.method == Method::half_shell) {
-    plan.levels = cheapest_levels(stats, options.costs);
+    plan.levels = cheapest_levels(stats, options.allowed, options.costs);
     plan.key_bits = key_bits_of(plan.levels);
+  }
+  if (plan.method != Method::brute_force && !options.allowed.has(Skip::key_bits)) {
+    plan.key_bits = kIdBits;
   }
 }
 
-Band choose_band(const PlanFacts& facts) {
+Band choose_band(const PlanFacts& facts, Skips allowed) {
+  if (!allowed.has(Skip::safe_band)) return Band::safe;
   const bool in_range = facts.r_max == 0.0F ||
                         (facts.r_min_nonzero >= kFastRadiusMin && facts.r_max <= kFastRadiusMax);
   return in_range ? Band::fast : Band::safe;
@@ -123,6 +128,40 @@ SceneStats with_room_to_move(SceneStats stats) {
   return stats;
 }
 
+Plan plan_method(const SceneStats& stats, Method method, const PlanOptions& options) {
+  Plan plan;
+  plan.method = method;
+  plan.rule = options.rule;
+  plan.threads = std::max(options.threads, 1);
+  plan.sort_digit_bits = options.costs.digit_bits;
+  plan.allowed = options.allowed;
+  plan.moving = options.moving;
+  plan.count_only = options.count_only;
+  plan.candidate_limit = options.candidate_limit;
+  plan.facts = stats.facts;
+  plan.band = choose_band(stats.facts, options.allowed);
+  if (stats.facts.sphere_count > 0) choose_cells(plan, stats, options);
+  plan.capacity = first_capacities(stats, plan);
+  return plan;
+}
+
+/// Of the methods that are allowed, the one whose plan is expected to cost least. All are exact.
+Plan cheapest_plan(const SceneStats& stats, const PlanOptions& options) {
+  Plan best = plan_method(stats, Method::home_phantom, options);
+  double best_cost = estimate_cost(stats, best, options.costs);
+  const auto consider = [&](Method method, Skip skip) {
+    if (!options.allowed.has(skip)) return;
+    const Plan plan = plan_method(stats, method, options);
+    const double cost = estimate_cost(stats, plan, options.costs);
+    if (cost >= best_cost) return;
+    best = plan;
+    best_cost = cost;
+  };
+  consider(Method::half_shell, Skip::phantoms);
+  consider(Method::brute_force, Skip::grid);
+  return best;
+}
+
 }  // namespace
 
 Plan plan_buffers(std::uint64_t sphere_count, const PlanOptions& options) {
@@ -138,18 +177,8 @@ Plan plan_buffers(std::uint64_t sphere_count, const PlanOptions& options) {
 Plan make_plan(const SceneStats& seen, const PlanOptions& options) {
   check_options(options);
   const SceneStats stats = options.moving ? with_room_to_move(seen) : seen;
-  Plan plan;
-  plan.method = options.method;
-  plan.rule = options.rule;
-  plan.threads = std::max(options.threads, 1);
-  plan.sort_digit_bits = options.costs.digit_bits;
-  plan.count_only = options.count_only;
-  plan.candidate_limit = options.candidate_limit;
-  plan.facts = stats.facts;
-  plan.band = choose_band(stats.facts);
-  if (stats.facts.sphere_count > 0) choose_cells(plan, stats, options);
-  plan.capacity = first_capacities(stats, plan);
-  return plan;
+  if (options.method) return plan_method(stats, *options.method, options);
+  return cheapest_plan(stats, options);
 }
 
 Plan grow(const Plan& plan, const Counts& found) {

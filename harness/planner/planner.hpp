@@ -26,22 +26,27 @@ struct Costs {
   double per_id = 17.0;          // to make it, and to look at it in stages 4 and 5
   double per_id_and_pass = 2.2;  // to sort it by one digit
   double per_candidate = 0.4;
+  double per_pair = 0.1;         // of brute_force
   int digit_bits = 8;            // the most that one pass sorts by
   ShellCosts shell = {};
 };
 
 /// What a caller may fix; the planner decides the rest.
 struct PlanOptions {
-  Method method = Method::home_phantom;
+  std::optional<Method> method = Method::home_phantom;  // none: the planner chooses
   Rule rule = Rule::lowest_cell;
   int threads = 1;
   bool count_only = false;
   std::uint64_t candidate_limit = ~std::uint64_t{0};
   std::optional<double> cell_side = {};  // scene units; only rule lowest_cell is free to choose
+  Skips allowed = Skips::all();
   bool moving = false;                   // plan for a box a little larger than the spheres fill now
   bool buffers_only = false;             // for baselines, which make their own plans
   Costs costs = {};                      // rule lowest_cell picks the cells that cost least
 };
+
+/// What a plan is expected to cost, in the unit of Costs.
+double estimate_cost(const SceneStats& stats, const Plan& plan, const Costs& costs);
 
 /// Throws LimitError where the rule's conditions do not hold for this scene, with the reason, and
 /// InputError for a cell side that is not a positive finite number.
@@ -77,10 +82,11 @@ Level make_level(const PlanFacts& facts, float r_max, double cell_side, std::uin
                  int most_bits);
 
 /// The levels with the least expected work for half_shell, which is correct with any.
-Levels cheapest_levels(const SceneStats& stats, const Costs& costs = {});
+Levels cheapest_levels(const SceneStats& stats, Skips allowed = Skips::all(),
+                       const Costs& costs = {});
 
 /// Nanoseconds that half_shell is expected to take with them.
-double estimate_cost(const SceneStats& stats, const Levels& levels, const Costs& costs = {});
+double estimate_cost(const SceneStats& stats, const Levels& levels, const Costs& costs);
 
 /// Every id of the levels is below two to this.
 int key_bits_of(const Levels& levels);

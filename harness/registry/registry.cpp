@@ -121,17 +121,20 @@ const BackendInfo& backend_named(std::string_view name) {
 }
 
 PlanOptions Implementation::plan_options(int threads) const {
+  const bool has_half_shell = std::ranges::find(backend->methods, Method::half_shell) != backend->methods.end();
+  const Skips allowed = has_half_shell ? Skips::all() : Skips::all().without(Skip::phantoms);
   return {.method = method,
           .rule = rule,
           .threads = threads,
+          .allowed = allowed,
           .buffers_only = is_baseline(),
           .costs = backend->costs};
 }
 
 std::string Implementation::label() const {
   if (is_baseline()) return std::string(backend->name);
-  if (!has_rule()) return fmt::format("{} {}", backend->name, name_of(method));
-  return fmt::format("{} {} {}", backend->name, name_of(method), name_of(rule));
+  if (!has_rule()) return fmt::format("{} {}", backend->name, method_name());
+  return fmt::format("{} {} {}", backend->name, method_name(), name_of(rule));
 }
 
 std::vector<Implementation> implementations(std::string_view backend) {
@@ -139,7 +142,7 @@ std::vector<Implementation> implementations(std::string_view backend) {
   if (backend != "all") backend_named(backend);  // an unknown name is an error
   for (const BackendInfo& b : kBackends) {
     if (backend != "all" && backend != b.name) continue;
-    if (b.kind == Kind::baseline) list.push_back({.backend = &b});
+    list.push_back({.backend = &b});
     for (const Method method : b.methods) {
       if (method != Method::home_phantom) {
         list.push_back({.backend = &b, .method = method});

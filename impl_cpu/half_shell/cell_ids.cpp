@@ -4,6 +4,10 @@
 // Cost: about ten operations a sphere, in vectors where all are of one level; 8 bytes an id.
 // Idea: two spheres that overlap lie in adjacent cells, so the centre's cell is all there is to
 //       know: no phantoms, an eighth to a half of the ids of home_phantom.
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+
 #include "impl_cpu/half_shell/half_shell.hpp"
 
 namespace octocell::cpu::half_shell {
@@ -27,19 +31,30 @@ void locate(const Levels& levels, std::span<const Sphere> spheres, std::uint32_t
   }
 }
 
+/// Whether blocks that are sorted by themselves follow each other in order.
+bool blocks_are_in_order(const std::uint32_t* ids, std::uint64_t count) {
+  for (std::uint64_t begin = kSpheresPerBlock; begin < count; begin += kSpheresPerBlock) {
+    if (ids[begin] < ids[begin - 1]) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void cell_ids(Workspace& w) {
-  const IdArrays& out = w.ids[0];
   const std::span<const Sphere> spheres = w.scene.spheres;
-  w.threads->for_blocks(spheres.size(), kSpheresPerBlock,
-                        [&](std::uint64_t begin, std::uint64_t end) {
-                          locate(w.plan.levels, spheres.subspan(begin, end - begin),
-                                 out.cell_ids.data() + begin);
-                          for (std::uint64_t i = begin; i < end; ++i) {
-                            out.objects[i] = static_cast<Object>(i);
-                          }
-                        });
+  std::uint32_t* const ids = w.ids[0].cell_ids.data();
+  Object* const objects = w.ids[0].objects.data();
+  std::atomic<bool> sorted = w.plan.allowed.has(Skip::sort);
+  const auto per_block = [&](std::uint64_t begin, std::uint64_t end) {
+    locate(w.plan.levels, spheres.subspan(begin, end - begin), ids + begin);
+    std::iota(objects + begin, objects + end, static_cast<Object>(begin));
+    if (sorted.load(std::memory_order_relaxed) && !std::is_sorted(ids + begin, ids + end)) {
+      sorted.store(false, std::memory_order_relaxed);
+    }
+  };
+  w.threads->for_blocks(spheres.size(), kSpheresPerBlock, per_block);
+  w.ids_are_sorted = sorted && blocks_are_in_order(ids, spheres.size());
 }
 
 }  // namespace octocell::cpu::half_shell

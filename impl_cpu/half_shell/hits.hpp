@@ -8,7 +8,7 @@
 
 namespace octocell::cpu::half_shell {
 
-static_assert(OrderedSpheres::kMargin >= kLanes);
+static_assert(OrderedSpheres::kMargin >= kLanes && OrderedSpheres::kMargin >= kPassed);
 
 /// Eight neighbours and a sphere that may overlap some of them, noted down as they are found and
 /// decided many at a time: a hit comes every few rounds, when no predictor expects it, so the loop
@@ -25,19 +25,22 @@ class Hits {
   void find(std::uint32_t begin, const Lanes& lanes, Run run) {
     while (!run.empty()) {
       const Run some = {run.begin, std::min(run.end, run.begin + kMostAtOnce)};
-      look_through(begin, lanes, some, [](std::uint32_t) { return LaneBits{0xff}; });
+      look_through(begin, lanes, some, [](std::uint64_t) { return LaneBits{0xffff}; });
       run.begin = some.end;
     }
   }
 
   /// The spheres of the run, which are those of the lanes, against the lanes before them.
   void find_behind(std::uint32_t begin, const Lanes& lanes, Run run) {
-    look_through(begin, lanes, run, [begin](std::uint32_t j) { return first_bits(j - begin); });
+    look_through(begin, lanes, run, [begin](std::uint64_t j) {
+      return first_bits(static_cast<std::uint32_t>(j) - begin);
+    });
   }
 
   void add(std::uint32_t begin, const LaneMask& found, std::uint32_t sphere) {
     const LaneBits bits = bits_of(found);
-    hits_[count_] = {begin, sphere, bits};
+    spheres_[count_] = std::uint64_t{begin} << 32 | sphere;
+    lanes_[count_] = bits;
     count_ += bits != 0 ? 1 : 0;
     if (count_ == kRoom) decide();
   }
@@ -45,35 +48,43 @@ class Hits {
  private:
   static constexpr std::uint32_t kMostAtOnce = 256;
   static constexpr std::uint32_t kRoom = 1024;
-  struct Hit {
-    std::uint32_t begin;
-    std::uint32_t sphere;
-    std::uint32_t lanes;
-  };
 
   template <typename Which>
   void look_through(std::uint32_t begin, const Lanes& lanes, Run run, const Which& which) {
     if (count_ + kMostAtOnce > kRoom) decide();
-    const float* const x = o_.x.data();
-    const float* const y = o_.y.data();
-    const float* const z = o_.z.data();
-    const float* const r = o_.r.data();
-    Hit* next = hits_ + count_;
-    for (std::uint32_t j = run.begin; j < run.end; ++j) {
-      const std::uint32_t bits = bits_of(lanes.may_overlap(x[j], y[j], z[j], r[j])) & which(j);
-      *next = {begin, j, bits};
-      next += bits != 0 ? 1 : 0;
+    count_ = note(lanes.x, lanes.y, lanes.z, lanes.r, o_.x.data(), o_.y.data(), o_.z.data(),
+                  o_.r.data(), std::uint64_t{begin} << 32, run, which, count_);
+  }
+
+  /// The inner loop of everything. A function of its own, whose arguments fit into registers.
+  template <typename Which>
+  [[gnu::noinline]] std::uint32_t note(Floats x, Floats y, Floats z, Floats r, const float* xs,
+                                       const float* ys, const float* zs, const float* rs,
+                                       std::uint64_t begin, Run run, Which which,
+                                       std::uint32_t count) {
+    std::uint64_t* const spheres = spheres_;
+    LaneBits* const lanes = lanes_;
+    for (std::uint64_t j = run.begin; j < run.end; ++j) {
+      const Floats dx = x - xs[j];
+      const Floats dy = y - ys[j];
+      const Floats dz = z - zs[j];
+      const Floats reach = r + rs[j];
+      const LaneBits bits = bits_of(dx * dx + dy * dy + dz * dz <= reach * reach) & which(j);
+      spheres[count] = begin | j;
+      lanes[count] = bits;
+      count += bits != 0 ? 1 : 0;
     }
-    count_ = static_cast<std::uint32_t>(next - hits_);
+    return count;
   }
 
   void decide() {
     for (std::uint32_t k = 0; k < count_; ++k) {
-      const Hit hit = hits_[k];
-      const Sphere other = o_.at(hit.sphere);
-      const std::uint32_t other_id = o_.sphere[hit.sphere];
-      for_each_lane(hit.lanes, [&](std::uint32_t lane) {
-        const std::uint32_t i = hit.begin + lane;
+      const auto sphere = static_cast<std::uint32_t>(spheres_[k]);
+      const auto begin = static_cast<std::uint32_t>(spheres_[k] >> 32);
+      const Sphere other = o_.at(sphere);
+      const std::uint32_t other_id = o_.sphere[sphere];
+      for_each_lane(lanes_[k], [&](std::uint32_t lane) {
+        const std::uint32_t i = begin + lane;
         sink_.take<band>(o_.at(i), o_.sphere[i], other, other_id);
       });
     }
@@ -83,7 +94,8 @@ class Hits {
   const OrderedSpheres& o_;
   PairSink sink_;
   std::uint32_t count_ = 0;
-  Hit hits_[kRoom];
+  std::uint64_t spheres_[kRoom];  // the first of the lanes, and the sphere
+  LaneBits lanes_[kRoom];
 };
 
 }  // namespace octocell::cpu::half_shell

@@ -12,7 +12,7 @@ namespace octocell::cpu::half_shell {
 
 namespace stdx = std::experimental;
 
-inline constexpr std::uint32_t kLanes = 8;
+inline constexpr std::uint32_t kLanes = 16;
 using Floats = stdx::simd<float, stdx::simd_abi::deduce_t<float, kLanes>>;
 using LaneMask = Floats::mask_type;
 
@@ -52,24 +52,27 @@ struct Lanes {
 };
 
 /// One bit a lane, the first lowest.
-using LaneBits = std::uint8_t;
+using LaneBits = std::uint16_t;
 inline LaneBits bits_of(const LaneMask& mask) {
   return static_cast<LaneBits>(mask.__to_bitset().to_ulong());  // libstdc++'s, for want of a better
 }
 inline LaneBits first_bits(std::uint32_t count) {
-  return static_cast<LaneBits>(count >= kLanes ? 0xffU : (1U << count) - 1U);
+  return static_cast<LaneBits>(count >= kLanes ? 0xffffU : (1U << count) - 1U);
 }
 
 using Ids = stdx::simd<std::uint32_t, stdx::simd_abi::deduce_t<std::uint32_t, 16>>;
 
 /// The first place from `at` on whose id is above `id`; `ids` are sorted, and behind the last come
-/// sixteen that are above all. Sixteen at a time: a step is as a rule shorter than that.
+/// kPassed that are above all. So many at a time: a step is as a rule shorter.
+inline constexpr std::uint32_t kPassed = 2 * Ids::size();
 inline std::uint32_t first_above(const std::uint32_t* ids, std::uint32_t at, std::uint32_t id) {
   for (;;) {
     const Ids here(ids + at, stdx::element_aligned);
-    const auto passed = static_cast<std::uint32_t>(stdx::popcount(here <= id));
+    const Ids next(ids + at + Ids::size(), stdx::element_aligned);
+    const auto passed =
+        static_cast<std::uint32_t>(stdx::popcount(here <= id) + stdx::popcount(next <= id));
     at += passed;
-    if (passed < Ids::size()) return at;
+    if (passed < kPassed) return at;
   }
 }
 

@@ -14,7 +14,7 @@ struct Row {
 };
 
 struct OrderedSpheres {
-  static constexpr std::uint64_t kMargin = 16;  // vectors may reach past the last sphere
+  static constexpr std::uint64_t kMargin = 32;  // vectors may reach past the last sphere
 
   const std::uint32_t* column_ids = nullptr;  // [spheres + kMargin], sorted; then the greatest
   Buffer<float> x, y, z, r;                   // [spheres + kMargin]; r: band radii
