@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "impl_cpu/half_shell/half_shell.hpp"
+#include "impl_cpu/stages.hpp"
 
 namespace octocell::cpu {
 namespace {
@@ -18,18 +18,7 @@ class CpuBackend final : public GridPairFinder {
     if (!w_.threads || w_.threads->count() != plan.threads) {
       w_.threads = std::make_unique<Threads>(plan.threads);
     }
-    const Capacities& room = plan.capacity;
-    for (IdArrays& ids : w_.ids) ids.allocate(room.ids);
-    if (plan.rule == Rule::chapter32) w_.control_bits.allocate(scene.spheres.size());
-    if (plan.method == Method::half_shell) {
-      w_.ordered.allocate(scene.spheres.size());
-      w_.rows_of_block.resize(scene.spheres.size() / half_shell::kIndexedPerBlock + 1);
-    } else {
-      w_.cells.allocate(room.cells);
-      w_.crowded_cells.allocate(room.ids / kTileSpheres + 1);
-    }
-    w_.doubts.allocate(room.doubts);
-    w_.pairs.allocate(room.pairs);
+    w_.allocate();
   }
 
   /// Nothing stands between runs: every find_pairs() starts from the spheres.
@@ -44,6 +33,7 @@ class CpuBackend final : public GridPairFinder {
     found.pairs = w_.pairs.size();
     found.over_candidate_limit = w_.candidates > w_.plan.candidate_limit;
     found.plan_violation = w_.violation;
+    found.used = w_.used;
     return found;
   }
 

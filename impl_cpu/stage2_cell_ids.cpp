@@ -200,7 +200,6 @@ void emit_as_written(Workspace& w) {
 
 void cell_ids(Workspace& w) {
   w.current = 0;
-  w.ids_are_sorted = false;
   w.id_count = w.scene.spheres.size();
   if (w.violation || !w.ids_complete()) return;
   if (w.plan.method == Method::half_shell) return half_shell::cell_ids(w);

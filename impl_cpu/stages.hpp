@@ -38,7 +38,6 @@ struct Workspace {
 
   IdArrays ids[2];                              // [plan.capacity.ids]
   int current = 0;                              // which of the two holds the ids now
-  bool ids_are_sorted = false;                  // found by stage 2; there is nothing to sort
   std::uint64_t id_count = 0;                   // ids needed; more than the capacity: none is valid
   Buffer<chapter32::ControlBits> control_bits;  // [spheres], rule chapter32 only
   SharedList<CellEntry> cells;
@@ -49,7 +48,11 @@ struct Workspace {
   PairList pairs;
 
   std::uint64_t candidates = 0;
+  Skips used;  // of those that only the data can allow
   std::optional<std::string> violation;
+
+  /// Room for what the plan says.
+  void allocate();
 
   [[nodiscard]] bool ids_complete() const { return id_count <= plan.capacity.ids; }
   /// Whether later stages have something sound to work on.

@@ -83,7 +83,8 @@ struct Plan {
   Capacities capacity;
   int sort_digit_bits = 8;  // the most that one pass of the backend's sort takes
   int threads = 1;
-  Skips allowed = Skips::all();  // what may be left out where the scene shows that it can
+  Skips allowed = Skips::all();  // what may be left out where the data show that it can
+  Skips taken;                   // what this plan leaves out
   bool moving = false;           // updates will come: what a frame leaves may serve the next
   bool count_only = false;       // keep count and checksum, store no pairs
   /// Pair tests are not started when more candidates than this are counted beforehand.
@@ -103,6 +104,7 @@ struct Counts {
   std::uint64_t doubts = 0;
   std::uint64_t pairs = 0;
   bool over_candidate_limit = false;
+  Skips used;  // what the data allowed to leave out in this run; the plan has its own
   /// Set when a fact of the plan, or a condition of its rule, does not hold for the data.
   std::optional<std::string> plan_violation = {};
 };

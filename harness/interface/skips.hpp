@@ -15,9 +15,9 @@ enum class Skip : std::uint8_t {
   wide_cells,  // radii differ: the large get a level of their own, so the small keep small cells
   layers,      // flat scenes: no rows above and below
   key_bits,    // ids are no longer than the grid needs
+  safe_band,   // radii are neither tiny nor huge: the float32 test needs no guards
   passes,      // a digit that all ids share is not sorted by
   sort,        // ids that come in order are not sorted
-  safe_band,   // radii are neither tiny nor huge: the float32 test needs no guards
   unchanged,   // dynamic: no sphere has changed since the last frame: its pairs stand
   few_movers,  // dynamic: only what moved is looked for anew
   skin,        // dynamic: nothing has moved far: the near pairs are tested again, no others
@@ -37,10 +37,10 @@ inline constexpr std::array<SkipInfo, kSkipCount> kSkips = {{
      "each level's cells are at least its own diameters wide; levels are tested across"},
     {"layers", "the rows above and below", "all spheres lie in one layer of cells"},
     {"key_bits", "passes over bits that no id has", "ids are below the number of cells"},
-    {"passes", "passes over a digit that all ids share", "such a pass moves nothing"},
-    {"sort", "the sort", "the ids come in order"},
     {"safe_band", "guards against underflow and overflow",
      "every nonzero radius lies in [2^-60, 2^62]"},
+    {"passes", "passes over a digit that all ids share", "such a pass moves nothing"},
+    {"sort", "the sort", "the ids come in order"},
     {"unchanged", "the frame", "every sphere equals, bit for bit, the copy of the last frame"},
     {"few_movers", "pairs of spheres that stand still",
      "they equal, bit for bit, the copy whose pairs are known"},
@@ -48,6 +48,9 @@ inline constexpr std::array<SkipInfo, kSkipCount> kSkips = {{
      "no sphere is further than half the skin from where the near pairs were found"},
 }};
 constexpr std::string_view name_of(Skip s) { return kSkips[static_cast<std::size_t>(s)].name; }
+
+/// Whether the plan decides it; else the data do, while the stages run.
+constexpr bool is_planned(Skip s) { return s < Skip::passes; }
 
 /// A set of skips.
 class Skips {
@@ -57,6 +60,8 @@ class Skips {
   [[nodiscard]] constexpr bool has(Skip s) const { return (bits_ & bit(s)) != 0; }
   [[nodiscard]] constexpr Skips with(Skip s) const { return Skips(bits_ | bit(s)); }
   [[nodiscard]] constexpr Skips without(Skip s) const { return Skips(bits_ & ~bit(s)); }
+  [[nodiscard]] constexpr Skips both(Skips other) const { return Skips(bits_ & other.bits_); }
+  [[nodiscard]] constexpr Skips either(Skips other) const { return Skips(bits_ | other.bits_); }
   friend constexpr bool operator==(Skips, Skips) = default;
 
  private:

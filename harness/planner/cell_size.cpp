@@ -115,8 +115,15 @@ Grid cheapest_grid(const SceneStats& stats, const Costs& costs) {
 }
 
 double estimate_cost(const SceneStats& stats, const Plan& plan, const Costs& costs) {
-  if (plan.method == Method::half_shell) return estimate_cost(stats, plan.levels, costs);
-  if (plan.method == Method::home_phantom) return estimate_work(stats, plan.grid, costs).cost_ns;
+  if (plan.method == Method::half_shell) {
+    return estimate_cost(stats, plan.levels, plan.key_bits, costs);
+  }
+  if (plan.method == Method::home_phantom) {
+    const WorkEstimate work = estimate_work(stats, plan.grid, costs);
+    const int more_passes = sort_passes(plan.key_bits, costs.digit_bits) -
+                            sort_passes(plan.grid.key_bits, costs.digit_bits);
+    return work.cost_ns + work.ids * more_passes * costs.per_id_and_pass;
+  }
   const auto count = static_cast<double>(stats.facts.sphere_count);
   return count * count / 2.0 * costs.per_pair;
 }

@@ -59,15 +59,15 @@ double cost_within(const Level& level, const Members& members, double in_cell,
                    const ShellCosts& costs) {
   const Grid& grid = level.grid;
   const double rows_of_cells = static_cast<double>(grid.period(1)) * grid.period(2);
-  const double rows = std::min(members.count, rows_of_cells);
+  const double filled = 1.0 - std::exp(-members.count / rows_of_cells);
   const double neighbour_rows =
       (grid.cell_count[1] > 1 ? 1.0 : 0.0) + (grid.cell_count[2] > 1 ? 1.0 : 0.0) +
       (grid.cell_count[1] > 1 && grid.cell_count[2] > 1 ? 2.0 : 0.0);
   const double window_cells = 2.0 + 1.0 / level.reach;
   const double candidates = in_cell * window_cells * (0.5 + neighbour_rows);
-  return members.count * (costs.per_sphere + neighbour_rows * costs.per_window +
+  return members.count * (costs.per_sphere + neighbour_rows * filled * costs.per_window +
                           candidates * costs.per_candidate) +
-         rows * costs.per_row;
+         rows_of_cells * filled * costs.per_row;
 }
 
 double cost_of(const Level& level, const Members& members, double in_cell, const Costs& costs) {
@@ -103,14 +103,23 @@ struct Choice {
   double cost = HUGE_VAL;
 };
 
+/// Flat scenes made thick enough for two layers of cells.
+PlanFacts with_two_layers(PlanFacts facts, double side) {
+  for (const int a : {1, 2}) {
+    const double second = static_cast<double>(facts.lowest[a]) + 1.5 * side;
+    if (second < kFloatMax) facts.highest[a] = std::max(facts.highest[a], static_cast<float>(second));
+  }
+  return facts;
+}
+
 /// The number of columns with the least cost, for cells of that side.
-Choice cut_into_columns(const SceneStats& stats, double side, int most_bits, const Members& members,
+Choice cut_into_columns(const PlanFacts& facts, double side, int most_bits, const Members& members,
                         const Costs& costs) {
   Choice best;
-  const Level whole_cells = make_level(stats.facts, members.r_max, side, 1, most_bits);
+  const Level whole_cells = make_level(facts, members.r_max, side, 1, most_bits);
   const double in_cell = neighbours_in_cell(whole_cells, members);
   for (std::uint32_t columns = 1; columns <= costs.shell.most_columns; columns *= 2) {
-    const Level level = make_level(stats.facts, members.r_max, side, columns, most_bits);
+    const Level level = make_level(facts, members.r_max, side, columns, most_bits);
     const double cost = cost_of(level, members, in_cell, costs);
     if (cost < best.cost) best = {level, cost};
   }
@@ -120,13 +129,15 @@ Choice cut_into_columns(const SceneStats& stats, double side, int most_bits, con
 constexpr int kPatience = 3;  // costs step down where a pass is saved
 
 /// The side with the least cost: a diameter, or, where spheres are far apart, more.
-Choice cheapest_level(const SceneStats& stats, int most_bits, const Members& members,
+Choice cheapest_level(const SceneStats& stats, Skips allowed, int most_bits, const Members& members,
                       const Costs& costs) {
   double side = 2.0 * static_cast<double>(members.r_max);
   if (side == 0.0) side = std::max(mean_spacing(stats.facts) / 2.0, 0x1p-149);
   Choice best;
   for (int worse = 0; worse < kPatience; side *= 2.0) {
-    const Choice choice = cut_into_columns(stats, side, most_bits, members, costs);
+    const PlanFacts facts =
+        allowed.has(Skip::layers) ? stats.facts : with_two_layers(stats.facts, side);
+    const Choice choice = cut_into_columns(facts, side, most_bits, members, costs);
     if (choice.cost >= best.cost) {
       ++worse;
       continue;
@@ -140,15 +151,17 @@ Choice cheapest_level(const SceneStats& stats, int most_bits, const Members& mem
 /// Tries ways to cut the octaves of the radii into levels.
 class LevelSearch {
  public:
-  LevelSearch(const SceneStats& stats, const Costs& costs) : stats_(stats), costs_(costs) {}
+  LevelSearch(const SceneStats& stats, Skips allowed, const Costs& costs)
+      : stats_(stats), allowed_(allowed), costs_(costs) {}
 
   /// Cuts where that gains most, as long as anything is gained.
-  Levels run(std::size_t most_levels) {
+  Levels run(std::size_t least_levels, std::size_t most_levels) {
     std::vector<Octaves> best = {{0, stats_.radii.size()}};
     double best_cost = cost(best);
     for (bool better = true; better && best.size() < most_levels;) {
       better = false;
       const std::vector<Octaves> so_far = best;
+      if (best.size() < least_levels) best_cost = HUGE_VAL;
       for (std::size_t level = 0; level < so_far.size(); ++level) {
         for (std::size_t k = so_far[level].first + 1; k < so_far[level].second; ++k) {
           std::vector<Octaves> trial = so_far;
@@ -179,7 +192,7 @@ class LevelSearch {
     const auto [entry, is_new] = known_.try_emplace(octaves);
     if (is_new) {
       entry->second.members = members_of(stats_, octaves);
-      entry->second.choice = cheapest_level(stats_, kMostBits, entry->second.members, costs_);
+      entry->second.choice = cheapest_level(stats_, allowed_, kMostBits, entry->second.members, costs_);
     }
     return entry->second;
   }
@@ -210,6 +223,7 @@ class LevelSearch {
   }
 
   const SceneStats& stats_;
+  const Skips allowed_;
   const Costs& costs_;
   std::map<Octaves, Known> known_;
 };
@@ -222,8 +236,10 @@ int key_bits_of(const Levels& levels) {
   return static_cast<int>(std::bit_width(last.first_id + last.ids - 1));
 }
 
-double estimate_cost(const SceneStats& stats, const Levels& levels, const Costs& costs) {
-  double sum = 0.0;
+double estimate_cost(const SceneStats& stats, const Levels& levels, int key_bits,
+                     const Costs& costs) {
+  double sum = static_cast<double>(stats.facts.sphere_count) *
+               sort_passes(key_bits, costs.digit_bits) * costs.per_id_and_pass;
   std::size_t next = 0;
   std::vector<Members> members;
   for (int k = 0; k < levels.count; ++k) {
@@ -233,7 +249,7 @@ double estimate_cost(const SceneStats& stats, const Levels& levels, const Costs&
   }
   for (int fine = 0; fine < levels.count; ++fine) {
     const Level& level = levels.level[fine];
-    sum += cost_of(level, members[fine], neighbours_in_cell(level, members[fine]), costs);
+    sum += cost_within(level, members[fine], neighbours_in_cell(level, members[fine]), costs.shell);
     for (int coarse = fine + 1; coarse < levels.count; ++coarse) {
       sum += cost_across(stats, members[coarse], level, members[fine], costs.shell);
     }
@@ -241,8 +257,10 @@ double estimate_cost(const SceneStats& stats, const Levels& levels, const Costs&
   return sum;
 }
 
-Levels cheapest_levels(const SceneStats& stats, Skips allowed, const Costs& costs) {
-  return LevelSearch(stats, costs).run(allowed.has(Skip::wide_cells) ? kMaxLevels : 1);
+Levels cheapest_levels(const SceneStats& stats, Skips allowed, const Costs& costs,
+                       std::size_t least_levels) {
+  const std::size_t most_levels = allowed.has(Skip::wide_cells) ? kMaxLevels : 1;
+  return LevelSearch(stats, allowed, costs).run(least_levels, most_levels);
 }
 
 }  // namespace octocell

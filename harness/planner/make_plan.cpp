@@ -54,7 +54,8 @@ void choose_cells(Plan& plan, const SceneStats& stats, const PlanOptions& option
     plan.key_bits = plan.grid.key_bits;
   }
   if (plan.method == Method::half_shell) {
-    plan.levels = cheapest_levels(stats, options.allowed, options.costs);
+    plan.levels = cheapest_levels(stats, options.allowed, options.costs,
+                                  options.forced.has(Skip::wide_cells) ? 2 : 1);
     plan.key_bits = key_bits_of(plan.levels);
   }
   if (plan.method != Method::brute_force && !options.allowed.has(Skip::key_bits)) {
@@ -128,6 +129,26 @@ SceneStats with_room_to_move(SceneStats stats) {
   return stats;
 }
 
+bool is_flat(const Plan& plan) {
+  const Grid& grid = plan.levels.level[0].grid;
+  return plan.levels.count > 0 && (grid.cell_count[1] == 1 || grid.cell_count[2] == 1);
+}
+
+/// What a plan leaves out.
+Skips taken_by(const Plan& plan) {
+  Skips taken;
+  const auto take_if = [&](bool is_taken, Skip skip) {
+    if (is_taken) taken = taken.with(skip);
+  };
+  take_if(plan.method == Method::brute_force, Skip::grid);
+  take_if(plan.method == Method::half_shell, Skip::phantoms);
+  take_if(plan.levels.count > 1, Skip::wide_cells);
+  take_if(is_flat(plan), Skip::layers);
+  take_if(plan.method != Method::brute_force && plan.key_bits < kIdBits, Skip::key_bits);
+  take_if(plan.band == Band::fast, Skip::safe_band);
+  return taken;
+}
+
 Plan plan_method(const SceneStats& stats, Method method, const PlanOptions& options) {
   Plan plan;
   plan.method = method;
@@ -141,12 +162,47 @@ Plan plan_method(const SceneStats& stats, Method method, const PlanOptions& opti
   plan.facts = stats.facts;
   plan.band = choose_band(stats.facts, options.allowed);
   if (stats.facts.sphere_count > 0) choose_cells(plan, stats, options);
+  plan.taken = taken_by(plan);
   plan.capacity = first_capacities(stats, plan);
   return plan;
 }
 
+/// Why a plan does not leave out what a caller insists on. The rest only the data can tell.
+std::string why_not(const Plan& plan, Skip skip) {
+  const Grid& grid = plan.levels.level[0].grid;
+  if (plan.method != Method::half_shell && skip < Skip::key_bits) {
+    return fmt::format("the method is {}", name_of(plan.method));
+  }
+  switch (skip) {
+    case Skip::layers:
+      return fmt::format("the spheres lie in {} x {} x {} cells", grid.cell_count[0],
+                         grid.cell_count[1], grid.cell_count[2]);
+    case Skip::wide_cells:
+      return fmt::format("radii from {:g} to {:g} are all of one octave",
+                         plan.facts.r_min_nonzero, plan.facts.r_max);
+    case Skip::safe_band:
+      return fmt::format("radii from {:g} to {:g} do not all lie in [2^-60, 2^62]",
+                         plan.facts.r_min_nonzero, plan.facts.r_max);
+    case Skip::key_bits:
+      return "the ids need all their bits";
+    default:
+      return fmt::format("the method is {}", name_of(plan.method));
+  }
+}
+
+void require_forced(const Plan& plan, Skips forced) {
+  for (std::size_t k = 0; k < kSkipCount; ++k) {
+    const auto skip = static_cast<Skip>(k);
+    if (!forced.has(skip) || !is_planned(skip) || plan.taken.has(skip)) continue;
+    throw LimitError(fmt::format("skip {} cannot be forced here: {}", name_of(skip),
+                                 why_not(plan, skip)));
+  }
+}
+
 /// Of the methods that are allowed, the one whose plan is expected to cost least. All are exact.
 Plan cheapest_plan(const SceneStats& stats, const PlanOptions& options) {
+  if (options.forced.has(Skip::grid)) return plan_method(stats, Method::brute_force, options);
+  if (options.forced.has(Skip::phantoms)) return plan_method(stats, Method::half_shell, options);
   Plan best = plan_method(stats, Method::home_phantom, options);
   double best_cost = estimate_cost(stats, best, options.costs);
   const auto consider = [&](Method method, Skip skip) {
@@ -177,8 +233,10 @@ Plan plan_buffers(std::uint64_t sphere_count, const PlanOptions& options) {
 Plan make_plan(const SceneStats& seen, const PlanOptions& options) {
   check_options(options);
   const SceneStats stats = options.moving ? with_room_to_move(seen) : seen;
-  if (options.method) return plan_method(stats, *options.method, options);
-  return cheapest_plan(stats, options);
+  const Plan plan = options.method ? plan_method(stats, *options.method, options)
+                                   : cheapest_plan(stats, options);
+  require_forced(plan, options.forced);
+  return plan;
 }
 
 Plan grow(const Plan& plan, const Counts& found) {

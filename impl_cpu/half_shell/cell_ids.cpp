@@ -54,7 +54,7 @@ void cell_ids(Workspace& w) {
     }
   };
   w.threads->for_blocks(spheres.size(), kSpheresPerBlock, per_block);
-  w.ids_are_sorted = sorted && blocks_are_in_order(ids, spheres.size());
+  if (sorted && blocks_are_in_order(ids, spheres.size())) w.used = w.used.with(Skip::sort);
 }
 
 }  // namespace octocell::cpu::half_shell
