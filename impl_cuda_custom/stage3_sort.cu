@@ -7,16 +7,10 @@
 #include "impl_cuda_custom/stages.cuh"
 
 namespace octocell::cuda_custom {
-namespace {
-
-KeysAndValues arrays(const IdArrays& ids) { return {ids.cell_ids.data(), ids.objects.data()}; }
-
-}  // namespace
 
 void sort(Workspace& w) {
   if (!w.sorter || w.sphere_count() == 0) return;
-  w.sorter->launch(arrays(w.ids[0]), arrays(w.ids[1]), &w.state.data()->entries,
-                   w.sort_scratch.data(), w.stream);
+  w.sorter->launch(w.side(0), w.side(1), &w.state.data()->entries, w.sort_scratch.data(), w.stream);
 }
 
 }  // namespace octocell::cuda_custom
