@@ -111,7 +111,7 @@ PlanOptions plan_options(const Options& options) {
   if (const auto reason = how.backend->why_unavailable()) {
     throw LimitError(fmt::format("{} cannot run here: {}", options.backend, *reason));
   }
-  if (!options.method.empty()) how.method = method_named(options.method);
+  how.method = method_or_planned(options.method);
   return with_skips(how.plan_options(thread_count(options.threads)), options.no_skip,
                     options.force);
 }
@@ -143,7 +143,7 @@ void add_explain(CLI::App& app, Command& command) {
       ->required();
   sub->add_option("--backend", o->backend, "A backend; see 'octocell list'");
   sub->add_option("--method", o->method,
-                  "home_phantom, half_shell or brute_force; default: the planner chooses");
+                  "planned (default: the planner chooses), home_phantom, half_shell or brute_force");
   sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
   add_skip_options(*sub, o->no_skip, o->force);
   sub->add_flag("--analyze", o->analyze, "Time each skip against the same plan without it");

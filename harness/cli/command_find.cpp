@@ -44,7 +44,7 @@ Implementation chosen_implementation(const Options& options) {
   if (const auto reason = chosen.backend->why_unavailable()) {
     throw LimitError(fmt::format("{} cannot run here: {}", chosen.backend->name, *reason));
   }
-  if (!options.method.empty()) chosen.method = method_named(options.method);
+  chosen.method = method_or_planned(options.method);
   if (!options.rule.empty()) chosen.rule = rule_named(options.rule);
   const bool of_home_phantom = !options.rule.empty() || options.cell_side;
   if (chosen.planned() && of_home_phantom) chosen.method = Method::home_phantom;
@@ -172,7 +172,7 @@ void add_find(CLI::App& app, Command& command) {
   sub->add_option("SCENE", o->scene, "A file (.npy, .csv, .pqr) or a generator: gas:n=1e5,seed=7")
       ->required();
   sub->add_option("--backend", o->backend, "A backend or a baseline; see 'octocell list'");
-  sub->add_option("--method", o->method, "home_phantom, half_shell or brute_force; default: the planner chooses");
+  sub->add_option("--method", o->method, "planned (default: the planner chooses), home_phantom, half_shell or brute_force");
   sub->add_option("--rule", o->rule, "Of home_phantom: lowest_cell (default), chapter32 or as_written");
   sub->add_option("--cell-side", o->cell_side, "Cell side in scene units, for rule lowest_cell");
   sub->add_option("--threads", o->threads, "Threads; 0 (default): all");

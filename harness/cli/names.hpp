@@ -29,7 +29,9 @@ Enum enumerator_named(std::string_view what, std::string_view name,
   return static_cast<Enum>(found - names.begin());
 }
 
-inline Method method_named(std::string_view name) {
+/// None: the planner chooses.
+inline std::optional<Method> method_or_planned(std::string_view name) {
+  if (name.empty() || name == "planned") return std::nullopt;
   return enumerator_named<Method>("method", name, kMethodNames);
 }
 inline Rule rule_named(std::string_view name) {
