@@ -83,7 +83,8 @@ Sorted radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, bool sk
     for_parts([&](int p, Part part) {
       tabulate(from.keys.subspan(part.begin, part.end - part.begin), shift, shared[p]);
     });
-    if (skip_passes && !from.keys.empty() && all_share(shared, parts, digit(from.keys[0], shift), size)) {
+    if (skip_passes && !from.keys.empty() &&
+        all_share(shared, parts, digit(from.keys[0], shift), size)) {
       ++sorted.passes_skipped;
       continue;
     }

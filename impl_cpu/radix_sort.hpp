@@ -21,8 +21,8 @@ struct Sorted {
 
 /// Stable LSD radix sort of (key, value) by the lowest `key_bits` bits of the key, 8 bits a pass.
 /// `front` holds the input; the two buffers are used in turn. All four spans have equal length,
-/// below 2^32. With `skip_passes`, a digit that all keys share is not sorted by (Terdiman, Radix Sort
-/// Revisited, 2000).
+/// below 2^32. With `skip_passes`, a digit that all keys share is not sorted by (Terdiman, Radix
+/// Sort Revisited, 2000).
 Sorted radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, bool skip_passes,
                   Threads& threads);
 

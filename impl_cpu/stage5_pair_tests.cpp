@@ -58,8 +58,7 @@ struct AsWritten {
 template <Band band, typename RuleTest>
 class PairTester {
  public:
-  PairTester(Workspace& w, RuleTest rule)
-      : w_(w), rule_(rule), sink_(w) {}
+  PairTester(Workspace& w, RuleTest rule) : w_(w), rule_(rule), sink_(w) {}
 
   void load_cell(Tile& tile, std::uint64_t begin, std::uint64_t count) const {
     const Object* objects = w_.ids[w_.current].objects.data();

@@ -41,10 +41,10 @@ struct Workspace {
   std::uint64_t id_count = 0;                   // ids needed; more than the capacity: none is valid
   Buffer<chapter32::ControlBits> control_bits;  // [spheres], rule chapter32 only
   SharedList<CellEntry> cells;
-  SharedList<std::uint32_t> crowded_cells;  // indices into cells: too large for one tile
-  OrderedSpheres ordered;                   // method half_shell only
-  std::vector<std::uint64_t> rows_of_block; // of its stage 4: how many each block listed
-  SharedList<Pair> doubts;                  // in a count_only plan only counted: see resolve()
+  SharedList<std::uint32_t> crowded_cells;   // indices into cells: too large for one tile
+  OrderedSpheres ordered;                    // method half_shell only
+  std::vector<std::uint64_t> rows_of_block;  // of its stage 4: how many each block listed
+  SharedList<Pair> doubts;                   // in a count_only plan only counted: see resolve()
   PairList pairs;
 
   std::uint64_t candidates = 0;

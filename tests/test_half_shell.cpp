@@ -20,15 +20,32 @@ Outcome find_in(SceneView scene, const PlanOptions& options, PairDigest& digest)
   return outcome;
 }
 
-PairDigest exact_digest(SceneView scene) { return digest_of(reference::exact_pairs(scene.spheres)); }
+PairDigest exact_digest(SceneView scene) {
+  return digest_of(reference::exact_pairs(scene.spheres));
+}
 
-constexpr const char* kScenes[] = {
-    "gas:n=0",       "gas:n=1",        "gas:n=2",          "gas:n=15",
-    "gas:n=16",      "gas:n=17",       "gas:n=4095",       "gas:n=4097",
-    "gas:n=16385",   "dense:n=20000",  "poly:n=20000",     "poly:n=20000,ratio=1e6",
-    "cluster:n=20000", "giant:n=20000", "discs:n=20000",   "chain:n=20000",
-    "identical:n=700", "lattice:n=9261", "lattice:n=9261,shuffle=1", "gas:n=20000,phi=1e-6",
-    "shifted:n=20000,offset=1e7", "shifted:n=2000,offset=1e30"};
+constexpr const char* kScenes[] = {"gas:n=0",
+                                   "gas:n=1",
+                                   "gas:n=2",
+                                   "gas:n=15",
+                                   "gas:n=16",
+                                   "gas:n=17",
+                                   "gas:n=4095",
+                                   "gas:n=4097",
+                                   "gas:n=16385",
+                                   "dense:n=20000",
+                                   "poly:n=20000",
+                                   "poly:n=20000,ratio=1e6",
+                                   "cluster:n=20000",
+                                   "giant:n=20000",
+                                   "discs:n=20000",
+                                   "chain:n=20000",
+                                   "identical:n=700",
+                                   "lattice:n=9261",
+                                   "lattice:n=9261,shuffle=1",
+                                   "gas:n=20000,phi=1e-6",
+                                   "shifted:n=20000,offset=1e7",
+                                   "shifted:n=2000,offset=1e30"};
 
 class HalfShell : public testing::TestWithParam<const char*> {};
 

@@ -32,9 +32,11 @@ class Fake final : public PairFinder {
     clock.start();
     act_();
   }
-  Counts counts() override { Counts found;
+  Counts counts() override {
+    Counts found;
     found.pairs = 1;
-    return found; }
+    return found;
+  }
   std::vector<Pair> download() override { return {{1, 2}}; }
   PairDigest digest() override { return digest_of(download()); }
 

@@ -10,9 +10,10 @@ namespace octocell::bench {
 namespace {
 
 /// The order in which the report's waterfall adds them.
-constexpr Skip kFromTextToPlan[] = {Skip::key_bits,  Skip::safe_band,  Skip::phantoms, Skip::layers,
-                                    Skip::wide_cells, Skip::passes,    Skip::sort,     Skip::grid,
-                                    Skip::unchanged, Skip::few_movers, Skip::skin};
+constexpr Skip kFromTextToPlan[] = {Skip::key_bits,   Skip::safe_band,  Skip::phantoms,
+                                    Skip::layers,     Skip::wide_cells, Skip::passes,
+                                    Skip::sort,       Skip::grid,       Skip::unchanged,
+                                    Skip::few_movers, Skip::skin};
 static_assert(std::size(kFromTextToPlan) == kSkipCount);
 
 constexpr std::string_view kFastBaselines[] = {"fcl_dynamic_aabb_tree_morton",
@@ -32,7 +33,8 @@ bool has_time_for(const Implementation& how, Rows rows) {
   if (rows == Rows::ablation) return !how.is_baseline() && !how.exhibit();
   if (rows == Rows::device) return on_device;
   if (rows == Rows::headline) return on_device || is_default;
-  if (rows == Rows::fast) return how.is_baseline() ? is_among(kFastBaselines) : how.method != Method::brute_force;
+  if (rows == Rows::fast)
+    return how.is_baseline() ? is_among(kFastBaselines) : how.method != Method::brute_force;
   return rows == Rows::every || !is_among(kSlowBaselines);
 }
 
@@ -51,7 +53,9 @@ void add_ablation(std::vector<RowSpec>& rows, const RowSpec& planned) {
     row.allowed = allowed;
     rows.push_back(std::move(row));
   };
-  const auto counts = [&](Skip skip) { return skip < Skip::unchanged || planned.run == Run::dynamic; };
+  const auto counts = [&](Skip skip) {
+    return skip < Skip::unchanged || planned.run == Run::dynamic;
+  };
   Skips first;
   add("none", first);
   int number = 0;

@@ -138,12 +138,14 @@ int explain_scene(const Options& options) {
 
 void add_explain(CLI::App& app, Command& command) {
   auto o = std::make_shared<Options>();
-  CLI::App* sub = app.add_subcommand("explain", "Say what a scene needs, what it does not, and why");
+  CLI::App* sub =
+      app.add_subcommand("explain", "Say what a scene needs, what it does not, and why");
   sub->add_option("SCENE", o->scene, "A file (.npy, .csv, .pqr) or a generator: gas:n=1e5,seed=7")
       ->required();
   sub->add_option("--backend", o->backend, "A backend; see 'octocell list'");
-  sub->add_option("--method", o->method,
-                  "planned (default: the planner chooses), home_phantom, half_shell or brute_force");
+  sub->add_option(
+      "--method", o->method,
+      "planned (default: the planner chooses), home_phantom, half_shell or brute_force");
   sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
   add_skip_options(*sub, o->no_skip, o->force);
   sub->add_flag("--analyze", o->analyze, "Time each skip against the same plan without it");

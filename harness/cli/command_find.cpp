@@ -34,9 +34,9 @@ struct Options {
 
 Implementation chosen_implementation(const Options& options) {
   Implementation chosen{.backend = &backend_named(options.backend)};
-  const bool asks_for_method =
-      !options.method.empty() || !options.rule.empty() || options.cell_side || options.explain ||
-      !options.no_skip.empty() || !options.force.empty();
+  const bool asks_for_method = !options.method.empty() || !options.rule.empty() ||
+                               options.cell_side || options.explain || !options.no_skip.empty() ||
+                               !options.force.empty();
   if (chosen.is_baseline() && asks_for_method) {
     throw InputError(fmt::format("{} is a baseline: it has its own method, rule, cells and plan",
                                  chosen.backend->name));
@@ -82,7 +82,8 @@ nlohmann::ordered_json to_json(const Answer& answer) {
       {"scene", answer.scene.spec},
       {"n", answer.scene.spheres.size()},
       {"backend", how.backend->name},
-      {"method", how.is_baseline() ? nlohmann::ordered_json() : name_of(answer.outcome.plan.method)},
+      {"method",
+       how.is_baseline() ? nlohmann::ordered_json() : name_of(answer.outcome.plan.method)},
       {"planned", how.planned()},
       {"rule",
        how.has_rule() ? nlohmann::ordered_json(name_of(how.rule)) : nlohmann::ordered_json()},
@@ -137,8 +138,8 @@ int find(const Options& options) {
     throw InputError("--count keeps no pairs, so there is nothing to write to --output");
   }
   const Implementation how = chosen_implementation(options);
-  PlanOptions plan_options = with_skips(how.plan_options(thread_count(options.threads)),
-                                        options.no_skip, options.force);
+  PlanOptions plan_options =
+      with_skips(how.plan_options(thread_count(options.threads)), options.no_skip, options.force);
   plan_options.count_only = options.count;
   plan_options.cell_side = options.cell_side;
   const Scene scene = load_or_generate(options.scene, {.round_input = options.round_input});
@@ -153,8 +154,9 @@ int find(const Options& options) {
                          .digest = finder->digest(),
                          .rounding = rounding_effect(scene)};
   if (options.explain) {
-    fmt::print(stderr, "{}", to_text(explain(measure(scene.view()), outcome.plan, plan_options,
-                                             outcome.counts.used)));
+    fmt::print(
+        stderr, "{}",
+        to_text(explain(measure(scene.view()), outcome.plan, plan_options, outcome.counts.used)));
   }
   if (options.json) {
     fmt::print("{}\n", to_json(answer).dump(2));
@@ -172,8 +174,11 @@ void add_find(CLI::App& app, Command& command) {
   sub->add_option("SCENE", o->scene, "A file (.npy, .csv, .pqr) or a generator: gas:n=1e5,seed=7")
       ->required();
   sub->add_option("--backend", o->backend, "A backend or a baseline; see 'octocell list'");
-  sub->add_option("--method", o->method, "planned (default: the planner chooses), home_phantom, half_shell or brute_force");
-  sub->add_option("--rule", o->rule, "Of home_phantom: lowest_cell (default), chapter32 or as_written");
+  sub->add_option(
+      "--method", o->method,
+      "planned (default: the planner chooses), home_phantom, half_shell or brute_force");
+  sub->add_option("--rule", o->rule,
+                  "Of home_phantom: lowest_cell (default), chapter32 or as_written");
   sub->add_option("--cell-side", o->cell_side, "Cell side in scene units, for rule lowest_cell");
   sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
   sub->add_option("-o,--output", o->output, "Write the pairs: NPY, (M, 2) uint32, i < j, sorted");

@@ -52,7 +52,7 @@ struct Level {
   Grid grid;                   // ids from 0
   std::uint32_t first_id = 0;  // its ids are [first_id, first_id + ids)
   std::uint32_t ids = 1;
-  std::uint32_t reach = 1;     // in columns
+  std::uint32_t reach = 1;  // in columns
 };
 inline constexpr int kMaxLevels = 6;
 
@@ -75,8 +75,8 @@ inline constexpr const char* kFactsBroken =
 struct Plan {
   Method method = Method::home_phantom;
   Rule rule = Rule::lowest_cell;
-  Grid grid;      // of method home_phantom
-  Levels levels;  // of method half_shell
+  Grid grid;         // of method home_phantom
+  Levels levels;     // of method half_shell
   int key_bits = 0;  // every cell id is below 2^key_bits
   Band band = Band::safe;
   PlanFacts facts;

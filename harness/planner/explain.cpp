@@ -11,8 +11,9 @@ namespace {
 std::string scene_of(const SceneStats& stats) {
   const PlanFacts& f = stats.facts;
   if (f.sphere_count == 0) return "no spheres";
-  return fmt::format("{} spheres, radii {:g} to {:g}, centres in {:g} x {:g} x {:g}", f.sphere_count,
-                     f.r_min_nonzero, f.r_max, static_cast<double>(f.highest[0]) - f.lowest[0],
+  return fmt::format("{} spheres, radii {:g} to {:g}, centres in {:g} x {:g} x {:g}",
+                     f.sphere_count, f.r_min_nonzero, f.r_max,
+                     static_cast<double>(f.highest[0]) - f.lowest[0],
                      static_cast<double>(f.highest[1]) - f.lowest[1],
                      static_cast<double>(f.highest[2]) - f.lowest[2]);
 }
@@ -28,9 +29,9 @@ std::string levels_of(const Levels& levels) {
   for (int k = 0; k < levels.count; ++k) {
     const Level& level = levels.level[k];
     const Grid& g = level.grid;
-    text += fmt::format("\n|    level {}: r <= {:g}, {} x {} rows of side {:g}, {} columns each{}", k,
-                        level.r_max, g.cell_count[1], g.cell_count[2], g.cell_side, g.cell_count[0],
-                        g.wraps() ? "; far cells share ids" : "");
+    text += fmt::format("\n|    level {}: r <= {:g}, {} x {} rows of side {:g}, {} columns each{}",
+                        k, level.r_max, g.cell_count[1], g.cell_count[2], g.cell_side,
+                        g.cell_count[0], g.wraps() ? "; far cells share ids" : "");
   }
   return text;
 }
@@ -39,9 +40,10 @@ std::string method_of(const Plan& plan) {
   if (plan.method == Method::brute_force) return "brute_force: every pair is tested";
   if (plan.method == Method::half_shell) return levels_of(plan.levels);
   if (plan.rule == Rule::as_written) {
-    return fmt::format("home_phantom, rule as_written: the text's own cells of side {:g} (an "
-                       "exhibit: it loses pairs)",
-                       plan.grid.cell_side);
+    return fmt::format(
+        "home_phantom, rule as_written: the text's own cells of side {:g} (an "
+        "exhibit: it loses pairs)",
+        plan.grid.cell_side);
   }
   return fmt::format("home_phantom, rule {}: {}", name_of(plan.rule), cells_of(plan.grid));
 }
@@ -63,9 +65,9 @@ std::string fact_of(Skip skip, const SceneStats& stats, const Plan& plan, bool t
   const PlanFacts& f = stats.facts;
   switch (skip) {
     case Skip::grid:
-      return fmt::format("{} spheres have {:.3g} pairs", f.sphere_count,
-                         0.5 * static_cast<double>(f.sphere_count) *
-                             (static_cast<double>(f.sphere_count) - 1.0));
+      return fmt::format(
+          "{} spheres have {:.3g} pairs", f.sphere_count,
+          0.5 * static_cast<double>(f.sphere_count) * (static_cast<double>(f.sphere_count) - 1.0));
     case Skip::phantoms:
       return plan.method == Method::half_shell ? "cells are a diameter wide or more"
                                                : "half_shell would cost more, or is not allowed";
@@ -74,7 +76,8 @@ std::string fact_of(Skip skip, const SceneStats& stats, const Plan& plan, bool t
                          f.r_min_nonzero > 0.0F ? f.r_max / f.r_min_nonzero : 1.0F,
                          taken ? "" : ", which one level bears best");
     case Skip::layers:
-      return taken ? "an axis has one layer of cells" : "every axis has more than one layer of cells";
+      return taken ? "an axis has one layer of cells"
+                   : "every axis has more than one layer of cells";
     case Skip::key_bits:
       return fmt::format("ids stay below 2^{}", plan.key_bits);
     case Skip::safe_band:
@@ -97,8 +100,7 @@ std::optional<double> saving_of(Skip skip, const SceneStats& stats, const Plan& 
   options.allowed = options.allowed.without(skip);
   options.forced = options.forced.without(skip);
   if (skip == Skip::grid || skip == Skip::phantoms) options.method.reset();
-  const double without =
-      estimate_cost(stats, make_plan(stats, options), options.costs);
+  const double without = estimate_cost(stats, make_plan(stats, options), options.costs);
   if (without <= cost) return std::nullopt;
   return 1.0 - cost / without;
 }
@@ -155,8 +157,8 @@ Explanation explain(const SceneStats& stats, const Plan& plan, const PlanOptions
 }
 
 std::string to_text(const Explanation& e) {
-  std::string text = fmt::format("scene      {}\nmethod     {}\nsort       {}\npredicate  {}\n", e.scene,
-                                 e.method, e.sort, e.predicate);
+  std::string text = fmt::format("scene      {}\nmethod     {}\nsort       {}\npredicate  {}\n",
+                                 e.scene, e.method, e.sort, e.predicate);
   for (const Decision& d : e.decisions) text += branch_of(d);
   return text;
 }

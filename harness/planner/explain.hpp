@@ -14,7 +14,7 @@ namespace octocell {
 struct Decision {
   Skip skip = Skip::grid;
   bool taken = false;
-  std::string fact;   // what of this scene it rests on, or what stands against it
+  std::string fact;  // what of this scene it rests on, or what stands against it
   /// Part of the time without this skip that it is expected to save; none where the cost model does
   /// not know.
   std::optional<double> expected_saving = {};

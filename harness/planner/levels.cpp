@@ -60,9 +60,9 @@ double cost_within(const Level& level, const Members& members, double in_cell,
   const Grid& grid = level.grid;
   const double rows_of_cells = static_cast<double>(grid.period(1)) * grid.period(2);
   const double filled = 1.0 - std::exp(-members.count / rows_of_cells);
-  const double neighbour_rows =
-      (grid.cell_count[1] > 1 ? 1.0 : 0.0) + (grid.cell_count[2] > 1 ? 1.0 : 0.0) +
-      (grid.cell_count[1] > 1 && grid.cell_count[2] > 1 ? 2.0 : 0.0);
+  const double neighbour_rows = (grid.cell_count[1] > 1 ? 1.0 : 0.0) +
+                                (grid.cell_count[2] > 1 ? 1.0 : 0.0) +
+                                (grid.cell_count[1] > 1 && grid.cell_count[2] > 1 ? 2.0 : 0.0);
   const double window_cells = 2.0 + 1.0 / level.reach;
   const double candidates = in_cell * window_cells * (0.5 + neighbour_rows);
   return members.count * (costs.per_sphere + neighbour_rows * filled * costs.per_window +
@@ -93,8 +93,8 @@ double cost_across(const SceneStats& stats, const Members& coarse, const Level& 
   }
   double share = 1.0;
   for (int a = 0; a < 3; ++a) share *= share_of(stats.facts, a, width + level.grid.cell_side);
-  return coarse.count * (std::min(rows, fine.count) * costs.per_probe +
-                         fine.count * share * costs.per_candidate);
+  return coarse.count *
+         (std::min(rows, fine.count) * costs.per_probe + fine.count * share * costs.per_candidate);
 }
 
 /// A level, and what its spheres are expected to cost among themselves.
@@ -107,7 +107,8 @@ struct Choice {
 PlanFacts with_two_layers(PlanFacts facts, double side) {
   for (const int a : {1, 2}) {
     const double second = static_cast<double>(facts.lowest[a]) + 1.5 * side;
-    if (second < kFloatMax) facts.highest[a] = std::max(facts.highest[a], static_cast<float>(second));
+    if (second < kFloatMax)
+      facts.highest[a] = std::max(facts.highest[a], static_cast<float>(second));
   }
   return facts;
 }
@@ -192,7 +193,8 @@ class LevelSearch {
     const auto [entry, is_new] = known_.try_emplace(octaves);
     if (is_new) {
       entry->second.members = members_of(stats_, octaves);
-      entry->second.choice = cheapest_level(stats_, allowed_, kMostBits, entry->second.members, costs_);
+      entry->second.choice =
+          cheapest_level(stats_, allowed_, kMostBits, entry->second.members, costs_);
     }
     return entry->second;
   }

@@ -178,8 +178,8 @@ std::string why_not(const Plan& plan, Skip skip) {
       return fmt::format("the spheres lie in {} x {} x {} cells", grid.cell_count[0],
                          grid.cell_count[1], grid.cell_count[2]);
     case Skip::wide_cells:
-      return fmt::format("radii from {:g} to {:g} are all of one octave",
-                         plan.facts.r_min_nonzero, plan.facts.r_max);
+      return fmt::format("radii from {:g} to {:g} are all of one octave", plan.facts.r_min_nonzero,
+                         plan.facts.r_max);
     case Skip::safe_band:
       return fmt::format("radii from {:g} to {:g} do not all lie in [2^-60, 2^62]",
                          plan.facts.r_min_nonzero, plan.facts.r_max);
@@ -194,8 +194,8 @@ void require_forced(const Plan& plan, Skips forced) {
   for (std::size_t k = 0; k < kSkipCount; ++k) {
     const auto skip = static_cast<Skip>(k);
     if (!forced.has(skip) || !is_planned(skip) || plan.taken.has(skip)) continue;
-    throw LimitError(fmt::format("skip {} cannot be forced here: {}", name_of(skip),
-                                 why_not(plan, skip)));
+    throw LimitError(
+        fmt::format("skip {} cannot be forced here: {}", name_of(skip), why_not(plan, skip)));
   }
 }
 
@@ -233,8 +233,8 @@ Plan plan_buffers(std::uint64_t sphere_count, const PlanOptions& options) {
 Plan make_plan(const SceneStats& seen, const PlanOptions& options) {
   check_options(options);
   const SceneStats stats = options.moving ? with_room_to_move(seen) : seen;
-  const Plan plan = options.method ? plan_method(stats, *options.method, options)
-                                   : cheapest_plan(stats, options);
+  const Plan plan =
+      options.method ? plan_method(stats, *options.method, options) : cheapest_plan(stats, options);
   require_forced(plan, options.forced);
   return plan;
 }

@@ -12,11 +12,11 @@ namespace octocell {
 
 /// The same of method half_shell.
 struct ShellCosts {
-  double per_sphere = 9.0;      // id, gathering, and the window in its own row
-  double per_row = 30.0;        // to find a row's neighbours
-  double per_window = 2.6;      // of a sphere in a neighbouring row
-  double per_candidate = 0.1;  // in a window
-  double per_probe = 20.0;      // of a sphere in a row of a finer level
+  double per_sphere = 9.0;         // id, gathering, and the window in its own row
+  double per_row = 30.0;           // to find a row's neighbours
+  double per_window = 2.6;         // of a sphere in a neighbouring row
+  double per_candidate = 0.1;      // in a window
+  double per_probe = 20.0;         // of a sphere in a row of a finer level
   std::uint32_t most_columns = 8;  // into which a cell is cut
 };
 
@@ -26,8 +26,8 @@ struct Costs {
   double per_id = 20.0;          // to make it, and to look at it in stages 4 and 5
   double per_id_and_pass = 1.5;  // to sort it by one digit
   double per_candidate = 0.4;
-  double per_pair = 0.19;        // of brute_force
-  int digit_bits = 8;            // the most that one pass sorts by
+  double per_pair = 0.19;  // of brute_force
+  int digit_bits = 8;      // the most that one pass sorts by
   ShellCosts shell = {};
 };
 
@@ -40,10 +40,10 @@ struct PlanOptions {
   std::uint64_t candidate_limit = ~std::uint64_t{0};
   std::optional<double> cell_side = {};  // scene units; only rule lowest_cell is free to choose
   Skips allowed = Skips::all();
-  Skips forced = {};  // LimitError where the plan cannot take one of them
-  bool moving = false;                   // plan for a box a little larger than the spheres fill now
-  bool buffers_only = false;             // for baselines, which make their own plans
-  Costs costs = {};                      // rule lowest_cell picks the cells that cost least
+  Skips forced = {};          // LimitError where the plan cannot take one of them
+  bool moving = false;        // plan for a box a little larger than the spheres fill now
+  bool buffers_only = false;  // for baselines, which make their own plans
+  Costs costs = {};           // rule lowest_cell picks the cells that cost least
 };
 
 /// What a plan is expected to cost, in the unit of Costs.
@@ -59,7 +59,6 @@ Plan plan_buffers(std::uint64_t sphere_count, const PlanOptions& options);
 /// The next plan after a full buffer: every capacity at least what was found. Throws LimitError
 /// where that is more than positions of 32 bits can count.
 Plan grow(const Plan& plan, const Counts& found);
-
 
 /// The step of float32 at the far end of the scene's boxes p +- reach.
 double farthest_ulp(const PlanFacts& facts, float reach);

@@ -22,9 +22,9 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr std::size_t kAbreast = 4;
 struct Lanes {
   static constexpr std::size_t kLanes = 4 * kAbreast;
-  float lowest[kLanes];   // of radii: above zero
+  float lowest[kLanes];  // of radii: above zero
   float highest[kLanes];
-  float taint[kLanes];    // turns NaN at the first value that is not finite
+  float taint[kLanes];  // turns NaN at the first value that is not finite
   float negative[kLanes];
 
   Lanes() {

@@ -121,7 +121,8 @@ const BackendInfo& backend_named(std::string_view name) {
 }
 
 PlanOptions Implementation::plan_options(int threads) const {
-  const bool has_half_shell = std::ranges::find(backend->methods, Method::half_shell) != backend->methods.end();
+  const bool has_half_shell =
+      std::ranges::find(backend->methods, Method::half_shell) != backend->methods.end();
   const Skips allowed = has_half_shell ? Skips::all() : Skips::all().without(Skip::phantoms);
   return {.method = method,
           .rule = rule,

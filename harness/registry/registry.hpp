@@ -53,7 +53,9 @@ struct Implementation {
   /// Ours, as the planner would have it.
   [[nodiscard]] bool planned() const { return !is_baseline() && !method; }
   /// "planned" or the method's name.
-  [[nodiscard]] std::string_view method_name() const { return method ? name_of(*method) : "planned"; }
+  [[nodiscard]] std::string_view method_name() const {
+    return method ? name_of(*method) : "planned";
+  }
   /// Kept because it is wrong: its losses are the lesson, and no row of it counts as a failure.
   [[nodiscard]] bool exhibit() const { return has_rule() && rule == Rule::as_written; }
   /// A library's own fault: pairs that such a row lacks are reported, and not counted as a failure.

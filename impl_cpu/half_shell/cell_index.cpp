@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Stage 4 of half_shell: the spheres in the order of their columns, and where each row begins.
 // Reads sorted ids, spheres. Writes ordered spheres and rows.
-// Cost: one sphere gathered and 24 bytes written each; the only time that memory is met in disorder.
-// Idea: stage 5 then streams. A row ends where an id leaves its columns, so most spheres cost one
+// Cost: one sphere gathered and 24 bytes written each; the only time that memory is met in
+// disorder. Idea: stage 5 then streams. A row ends where an id leaves its columns, so most spheres
+// cost one
 //       comparison; a division finds the columns of the next row.
 #include <algorithm>
 

@@ -176,8 +176,8 @@ class LevelTester {
     const std::uint32_t period = grid_.period(0);
     if (grid_.wraps(0) && (last - first >= period || first / period != last / period)) return all;
     const auto place = [&](std::uint64_t id) {
-      return static_cast<std::uint32_t>(
-          std::lower_bound(ids_ + all.begin, ids_ + all.end, id) - ids_);
+      return static_cast<std::uint32_t>(std::lower_bound(ids_ + all.begin, ids_ + all.end, id) -
+                                        ids_);
     };
     const std::uint64_t row_id = row.first_id;
     return {place(row_id + first % period), place(row_id + last % period + 1)};
@@ -198,8 +198,11 @@ class LevelTester {
               test_rows(layer + y_parts[yp].begin * std::uint64_t{grid_.stride_y},
                         layer + (y_parts[yp].end - 1) * std::uint64_t{grid_.stride_y});
           if (yp + 1 < y_count) continue;
-          if (behind == rows_.end()) next_z = z_parts[zp].end;
-          else next_z = std::max<std::uint64_t>(next_z, (behind->first_id - level_.first_id) / grid_.stride_z);
+          if (behind == rows_.end())
+            next_z = z_parts[zp].end;
+          else
+            next_z = std::max<std::uint64_t>(next_z,
+                                             (behind->first_id - level_.first_id) / grid_.stride_z);
         }
         z = next_z;
       }
@@ -207,7 +210,8 @@ class LevelTester {
   }
 
   /// Cells low..high of an axis that may wrap, as at most two runs of cells that have ids.
-  std::pair<std::array<Run, 2>, int> periods(int axis, std::uint32_t low, std::uint32_t high) const {
+  std::pair<std::array<Run, 2>, int> periods(int axis, std::uint32_t low,
+                                             std::uint32_t high) const {
     const std::uint32_t period = grid_.period(axis);
     if (high - low >= period) return {{Run{0, period}}, 1};
     const std::uint32_t first = low & grid_.wrap_mask[axis];
@@ -231,14 +235,15 @@ class LevelTester {
 template <Band band, typename Work>
 void for_spheres(Workspace& w, int level, Run spheres, std::uint64_t block,
                  std::atomic<std::uint64_t>& candidates, const Work& work) {
-  w.threads->for_blocks(
-      spheres.end - spheres.begin, block, [&](std::uint64_t begin, std::uint64_t end) {
-        if (candidates.load(std::memory_order_relaxed) > w.plan.candidate_limit) return;
-        LevelTester<band> tester(w, level);
-        work(tester, spheres.begin + static_cast<std::uint32_t>(begin),
-             spheres.begin + static_cast<std::uint32_t>(end));
-        candidates.fetch_add(tester.candidates(), std::memory_order_relaxed);
-      });
+  w.threads->for_blocks(spheres.end - spheres.begin, block,
+                        [&](std::uint64_t begin, std::uint64_t end) {
+                          if (candidates.load(std::memory_order_relaxed) > w.plan.candidate_limit)
+                            return;
+                          LevelTester<band> tester(w, level);
+                          work(tester, spheres.begin + static_cast<std::uint32_t>(begin),
+                               spheres.begin + static_cast<std::uint32_t>(end));
+                          candidates.fetch_add(tester.candidates(), std::memory_order_relaxed);
+                        });
 }
 
 Run spheres_of(const Workspace& w, int level) {
@@ -268,7 +273,8 @@ std::uint64_t test_levels(Workspace& w) {
 
 void pair_tests(Workspace& w) {
   if (w.id_count == 0) return;
-  w.candidates = w.plan.band == Band::fast ? test_levels<Band::fast>(w) : test_levels<Band::safe>(w);
+  w.candidates =
+      w.plan.band == Band::fast ? test_levels<Band::fast>(w) : test_levels<Band::safe>(w);
 }
 
 }  // namespace octocell::cpu::half_shell
