@@ -3,11 +3,11 @@
 #pragma once
 
 #include <thrust/for_each.h>
-#include <thrust/functional.h>
 #include <thrust/scan.h>
 #include <thrust/transform.h>
 #include <thrust/transform_reduce.h>
 
+#include "impl_thrust/decide.cuh"
 #include "impl_thrust/stages.cuh"
 
 namespace octocell::on_thrust {
@@ -42,7 +42,7 @@ template <typename Test>
 struct WriteFound {
   Test test;
   const Found* found_before;
-  Pair* pairs;   // none: not wanted, or no room
+  Pair* pairs;   // none: no room
   Pair* doubts;  // likewise
   OCTOCELL_HD void operator()(std::uint64_t k) const {
     Found at = found_before[k];
@@ -61,20 +61,41 @@ struct WriteFound {
   }
 };
 
-template <typename Test>
-struct SumFound {
-  Test test;
-  const Found* found_before;
-  OCTOCELL_HD std::uint64_t operator()(std::uint64_t k) const {
-    std::uint64_t sum = 0;
-    if (found_before[k].sure == found_before[k + 1].sure) return sum;
-    test.run(
-        k, [&](Pair pair) { sum += mix_pair(pair); }, [](Pair) {});
-    return sum;
+/// As PairDigest, which the device does not know how to merge.
+struct Digest {
+  std::uint64_t count;
+  std::uint64_t checksum;
+};
+
+struct DigestOfBoth {
+  OCTOCELL_HD Digest operator()(const Digest& a, const Digest& b) const {
+    return {a.count + b.count, a.checksum + b.checksum};
   }
 };
 
-/// One work item an entry: counted, placed, written.
+/// A count_only plan has no room for doubts: they are decided where they are found.
+template <typename Test>
+struct DigestFound {
+  Test test;
+  const Found* found_before;
+  Overlaps overlaps;
+  OCTOCELL_HD Digest operator()(std::uint64_t k) const {
+    Digest digest = {0, 0};
+    const Found at = found_before[k];
+    const Found end = found_before[k + 1];
+    if (at.sure == end.sure && at.doubts == end.doubts) return digest;
+    const auto take = [&](Pair pair) {
+      ++digest.count;
+      digest.checksum += mix_pair(pair);
+    };
+    test.run(k, take, [&](Pair pair) {
+      if (overlaps(pair)) take(pair);
+    });
+    return digest;
+  }
+};
+
+/// One work item an entry: counted, placed, written; or summed up, in a count_only plan.
 template <typename System, typename Test>
 void count_scan_write(Workspace<System>& w, const Test& test) {
   const std::uint64_t entries = w.entries();
@@ -87,14 +108,16 @@ void count_scan_write(Workspace<System>& w, const Test& test) {
   const Found total = w.system.read(found + entries);
   w.sure_count = w.pair_count = total.sure;
   w.doubt_count = total.doubts;
-  const bool store = !w.plan.count_only && w.pairs_complete();
   if (w.plan.count_only) {
-    w.checksum =
-        thrust::transform_reduce(w.system.policy(), first, end, SumFound<Test>{test, found},
-                                 std::uint64_t{0}, thrust::plus<std::uint64_t>{});
+    const Digest digest = thrust::transform_reduce(w.system.policy(), first, end,
+                                                   DigestFound<Test>{test, found, {w.spheres}},
+                                                   Digest{0, 0}, DigestOfBoth{});
+    w.pair_count = digest.count;
+    w.checksum = digest.checksum;
+    return;
   }
   thrust::for_each(w.system.policy(), first, end,
-                   WriteFound<Test>{test, found, store ? w.pairs.data() : nullptr,
+                   WriteFound<Test>{test, found, w.pairs_complete() ? w.pairs.data() : nullptr,
                                     w.doubts_complete() ? w.doubts.data() : nullptr});
 }
 

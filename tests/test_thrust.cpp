@@ -102,6 +102,10 @@ TEST_P(Thrust, GrowsFromNoBuffersAtAll) {
     plan.capacity = {};
     const auto finder = on_thrust::make_host_backend();
     EXPECT_EQ(ask_until_it_fits(*finder, plan, scene.view()).digest, digest) << spec;
+    plan.count_only = true;
+    const Answer counted = ask_until_it_fits(*finder, plan, scene.view());
+    EXPECT_EQ(counted.digest, digest) << spec;
+    EXPECT_TRUE(counted.pairs.empty()) << spec;
   }
 }
 
