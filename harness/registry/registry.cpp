@@ -9,6 +9,7 @@
 
 #include "baselines/baselines.hpp"
 #include "harness/interface/error.hpp"
+#include "harness/registry/calibration.hpp"
 #include "impl_cpu/backend.hpp"
 #include "impl_cuda_custom/backend.hpp"
 #include "impl_thrust/backend.hpp"
@@ -108,6 +109,13 @@ constexpr std::array kBackends = {
              baselines::make_bullet_simple),
 };
 
+/// As `octocell calibrate` measured them, or as they were fitted.
+Costs costs_here(const BackendInfo& backend) {
+  static const std::map<std::string, Calibration> stored = stored_calibrations();
+  const auto found = stored.find(std::string(backend.name));
+  return found == stored.end() ? backend.costs : calibrated(backend.costs, found->second);
+}
+
 }  // namespace
 
 std::span<const BackendInfo> backends() { return kBackends; }
@@ -129,7 +137,7 @@ PlanOptions Implementation::plan_options(int threads) const {
           .threads = threads,
           .allowed = allowed,
           .buffers_only = is_baseline(),
-          .costs = backend->costs};
+          .costs = costs_here(*backend)};
 }
 
 std::string Implementation::label() const {

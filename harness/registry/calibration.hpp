@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// How long work takes on this machine, against what the cost model was fitted to.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "harness/planner/planner.hpp"
+
+namespace octocell {
+
+/// Measured time / expected time of each method, on scenes where it is at home. Only their ratios
+/// matter to a plan. They change which exact method is chosen, never an answer.
+struct Calibration {
+  double home_phantom = 1.0;
+  double half_shell = 1.0;
+  double brute_force = 1.0;
+};
+
+/// Costs as they would be had they been fitted here.
+Costs calibrated(Costs costs, const Calibration& factors);
+
+/// $OCTOCELL_CALIBRATION, or octocell/calibration.json in $XDG_CONFIG_HOME (~/.config). A variable
+/// that is set and empty stands for none.
+std::filesystem::path calibration_file();
+
+/// What `octocell calibrate` has stored, by backend; empty where nothing is, or where it was measured
+/// on another processor. Throws InputError for a file that is not one of ours.
+std::map<std::string, Calibration> stored_calibrations();
+
+/// Replaces the file as a whole.
+void store(const std::map<std::string, Calibration>& calibrations);
+
+}  // namespace octocell

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: MIT
+"""`octocell explain` and `calibrate`; --no-skip and --force."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from program import ROOT, Octocell, Refused
+
+SKIPS = re.findall(
+    r'^    \{"(\w+)",', (ROOT / "harness/interface/skips.hpp").read_text(), re.MULTILINE
+)
+SCENES = ("gas:n=60", "gas:n=3000", "giant:n=3000", "discs:n=3000", "chain:n=3000", "identical:n=99")
+Json = dict[str, Any]
+
+
+def explained(octocell: Octocell, scene: str, *args: object) -> Json:
+    answer: Json = json.loads(octocell.ok("explain", scene, "--json", *args).stdout)
+    return answer
+
+
+def taken(answer: Json) -> set[str]:
+    return {d["skip"] for d in answer["decisions"] if d["taken"]}
+
+
+def test_skips_are_known() -> None:
+    assert len(SKIPS) == len(set(SKIPS)) >= 8
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_every_decision_has_a_fact_and_a_proof(octocell: Octocell, scene: str) -> None:
+    answer = explained(octocell, scene)
+    assert answer["pairs"] == octocell.find(scene)["pairs"]
+    for decision in answer["decisions"]:
+        assert decision["skip"] in SKIPS
+        assert decision["fact"] and decision["proof"] and decision["saves"]
+    text = octocell.ok("explain", scene).stdout
+    for skip in taken(answer):
+        assert re.search(rf"^\|-- SKIPS {skip}\b", text, re.MULTILINE), text
+
+
+def test_scenes_show_what_they_do_not_need(octocell: Octocell) -> None:
+    assert "grid" in taken(explained(octocell, "gas:n=60"))
+    assert "phantoms" in taken(explained(octocell, "gas:n=3000"))
+    assert "wide_cells" in taken(explained(octocell, "giant:n=3000"))
+    assert "layers" in taken(explained(octocell, "discs:n=3000"))
+    assert {"sort", "layers"} <= taken(explained(octocell, "chain:n=3000"))
+
+
+def test_analyze_measures_what_is_taken(octocell: Octocell) -> None:
+    answer = explained(octocell, "gas:n=3000", "--analyze")
+    for decision in answer["decisions"]:
+        assert (decision["measured_saving"] is not None) == decision["taken"]
+
+
+@pytest.mark.parametrize("skip", SKIPS)
+def test_forbidding_a_skip_changes_no_answer(octocell: Octocell, skip: str) -> None:
+    for scene in SCENES:
+        plain = octocell.find(scene)
+        without = octocell.find(scene, "--no-skip", skip)
+        assert without["checksum"] == plain["checksum"], scene
+        assert skip not in taken(explained(octocell, scene, "--no-skip", skip))
+
+
+def test_forcing_a_skip_takes_it(octocell: Octocell) -> None:
+    assert "grid" in taken(explained(octocell, "gas:n=3000", "--force", "grid"))
+    assert "phantoms" in taken(explained(octocell, "gas:n=60", "--force", "phantoms"))
+    forced = octocell.find("gas:n=60", "--force", "phantoms")
+    assert forced["checksum"] == octocell.find("gas:n=60")["checksum"]
+
+
+@pytest.mark.parametrize(
+    ("scene", "skip", "words"),
+    [
+        ("gas:n=3000", "layers", ["cells"]),
+        ("gas:n=3000", "sort", ["in order"]),
+        ("gas:n=3000", "wide_cells", ["one octave"]),
+        ("gas:n=60", "layers", ["brute_force"]),
+        ("gas:n=60", "nonsense", ["unknown skip 'nonsense'", "phantoms"]),
+    ],
+)
+def test_what_cannot_be_forced_is_refused(
+    refused: Refused, scene: str, skip: str, words: list[str]
+) -> None:
+    for command in ("find", "explain"):
+        line = refused(command, scene, "--force", skip)
+        assert all(word in line for word in (skip, *words)), line
+
+
+def test_forced_and_forbidden_is_refused(refused: Refused) -> None:
+    assert "forced and forbidden" in refused(
+        "find", "gas:n=60", "--force", "sort", "--no-skip", "sort"
+    )
+
+
+def test_baselines_have_no_plan_of_ours(refused: Refused) -> None:
+    assert "baseline" in refused("explain", "gas:n=60", "--backend", "bullet_dbvt")
+    assert "baseline" in refused("find", "gas:n=60", "--backend", "fcl_sap", "--no-skip", "sort")
+
+
+def test_calibration_is_stored_and_changes_no_answer(octocell: Octocell, tmp_path: Path) -> None:
+    path = tmp_path / "new" / "calibration.json"
+    environment = {**os.environ, "OCTOCELL_CALIBRATION": str(path)}
+    text = octocell.ok("calibrate", env=environment, timeout=200).stdout
+    assert str(path) in text
+    stored = json.loads(path.read_text())
+    assert "impl_cpu" in stored["backends"]
+    assert all(0 < f < 1000 for factors in stored["backends"].values() for f in factors.values())
+    found = octocell.ok("find", "gas:n=3000", "--json", env=environment).stdout
+    assert json.loads(found)["checksum"] == octocell.find("gas:n=3000")["checksum"]
+
+
+def test_a_broken_calibration_is_named(refused: Refused, tmp_path: Path) -> None:
+    path = tmp_path / "calibration.json"
+    path.write_text('{"processor": 3')
+    environment = {**os.environ, "OCTOCELL_CALIBRATION": str(path)}
+    line = refused("find", "gas:n=60", env=environment)
+    assert str(path) in line and "calibrate" in line
