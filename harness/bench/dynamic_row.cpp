@@ -4,15 +4,10 @@
 #include <algorithm>
 
 #include "harness/bench/google_time.hpp"
+#include "harness/driver/median.hpp"
 
 namespace octocell::bench {
 namespace {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Of the frames after the warm-up (of all, if there are no others).
 double steady_median(const std::vector<double>& frames) {

@@ -25,9 +25,13 @@ void RowRunner::verify(double min_time_ms) {
     DeviceMemory::forget_peak();
     verify_or_throw(min_time_ms);
   } catch (const LimitError& reason) {
-    result_.skipped = reason.what();
-    finder_.reset();
+    skip(reason.what());
   }
+}
+
+void RowRunner::skip(const std::string& reason) {
+  result_.skipped = reason;
+  finder_.reset();
 }
 
 void RowRunner::record_device_memory() {

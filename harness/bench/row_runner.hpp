@@ -57,7 +57,7 @@ class RowRunner {
   /// The same run in a process of its own, for a library that may crash or never end: says how it
   /// ended, if it did not end well.
   [[nodiscard]] std::optional<std::string> try_apart(std::chrono::duration<double> limit) const;
-  void skip(const std::string& reason) { result_.skipped = reason; }
+  void skip(const std::string& reason);
 
   /// One measurement of this round. The pairs are compared with the truth again after it.
   virtual void measure(const std::string& name) = 0;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "harness/cli/commands.hpp"
 #include "harness/driver/complete.hpp"
+#include "harness/driver/median.hpp"
 #include "harness/registry/calibration.hpp"
 #include "harness/registry/registry.hpp"
 #include "harness/scenes/scenes.hpp"
@@ -30,8 +30,7 @@ double measured_to_expected(const BackendInfo& backend, Method method, const cha
     finder->find_pairs(*clock);
     times.push_back(clock->stop().total_ms);
   }
-  std::ranges::nth_element(times, times.begin() + kRounds / 2);
-  return times[kRounds / 2] * 1e6 / estimate_cost(stats, plan, backend.costs);
+  return median(times) * 1e6 / estimate_cost(stats, plan, backend.costs);
 }
 
 double median_over_scenes(const BackendInfo& backend, Method method) {
@@ -39,8 +38,7 @@ double median_over_scenes(const BackendInfo& backend, Method method) {
   for (const char* const scene : kScenes) {
     factors.push_back(measured_to_expected(backend, method, scene));
   }
-  std::ranges::sort(factors);
-  return factors[factors.size() / 2];
+  return median(factors);
 }
 
 int calibrate() {

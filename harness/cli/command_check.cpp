@@ -52,7 +52,7 @@ Verdict judge(const Implementation& how, const reference::Comparison& difference
                                          difference.false_pairs, difference.duplicates);
   if (how.exhibit()) return {Grade::exhibit, losses + " (an exhibit: not counted)"};
   // A library may lose pairs; what it makes up would be ours, for we test its candidates.
-  if (how.has_known_faults() && difference.false_pairs == 0 && difference.duplicates == 0) {
+  if (how.has_known_faults() && difference.only_missed()) {
     return {Grade::known_fault, fmt::format("wrong: {} (a known fault of the library: {})", losses,
                                             how.backend->known_faults)};
   }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "harness/cli/commands.hpp"
 #include "harness/cli/names.hpp"
 #include "harness/driver/complete.hpp"
+#include "harness/driver/median.hpp"
 #include "harness/planner/explain.hpp"
 #include "harness/registry/registry.hpp"
 #include "harness/scenes/scenes.hpp"
@@ -53,9 +53,7 @@ class Candidate {
 double saving(const std::vector<double>& with, const std::vector<double>& without) {
   std::vector<double> parts;
   for (std::size_t k = 0; k < with.size(); ++k) parts.push_back(1.0 - with[k] / without[k]);
-  const auto middle = parts.begin() + static_cast<std::ptrdiff_t>(parts.size() / 2);
-  std::ranges::nth_element(parts, middle);
-  return *middle;
+  return median(std::move(parts));
 }
 
 /// Times the plan beside one without each skip that it takes, in turn.

@@ -24,6 +24,8 @@ double bytes_of(const Capacities& room) {
          sizeof(Pair) * static_cast<double>(room.doubts + room.pairs);
 }
 
+}  // namespace
+
 std::optional<double> available_bytes() {
   std::ifstream meminfo("/proc/meminfo");
   std::string word;
@@ -33,8 +35,6 @@ std::optional<double> available_bytes() {
   }
   return std::nullopt;
 }
-
-}  // namespace
 
 void require_memory(const Plan& plan) {
   const double needed = bytes_of(plan.capacity);

@@ -34,7 +34,8 @@ struct Comparison {
   std::uint64_t missed = 0;       // in the truth, not in the answer
   std::uint64_t false_pairs = 0;  // in the answer, not in the truth
   std::uint64_t duplicates = 0;   // reported again
-  [[nodiscard]] bool exact() const { return missed == 0 && false_pairs == 0 && duplicates == 0; }
+  [[nodiscard]] bool only_missed() const { return false_pairs == 0 && duplicates == 0; }
+  [[nodiscard]] bool exact() const { return missed == 0 && only_missed(); }
 };
 
 /// Both sorted; the truth without duplicates.

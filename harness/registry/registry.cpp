@@ -22,6 +22,17 @@ namespace {
 constexpr Costs kDeviceCosts = {
     .per_id = 0.042, .per_id_and_pass = 0.018, .per_candidate = 0.0037, .digit_bits = 10};
 
+/// impl_thrust is written to be read: a sphere searches its neighbours' rows by halving steps.
+constexpr Costs kThrustCosts = {.per_id = 46.0,
+                                .per_id_and_pass = 3.5,
+                                .per_candidate = 0.9,
+                                .per_pair = 1.2,
+                                .shell = {.per_sphere = 210.0,
+                                          .per_row = 700.0,
+                                          .per_window = 60.0,
+                                          .per_candidate = 2.3,
+                                          .per_probe = 470.0}};
+
 constexpr std::array kAllMethods = {Method::home_phantom, Method::half_shell, Method::brute_force};
 constexpr std::array kTwoMethods = {Method::home_phantom, Method::brute_force};
 
@@ -59,7 +70,8 @@ constexpr std::array kBackends = {
                 .methods = kAllMethods,
                 .threaded = on_thrust::kHostThreaded,
                 .why_unavailable = always_available,
-                .create = on_thrust::make_host_backend},
+                .create = on_thrust::make_host_backend,
+                .costs = kThrustCosts},
     BackendInfo{.name = "impl_thrust_cuda",
                 .kind = Kind::backend,
                 .summary = on_thrust::kCudaSummary,

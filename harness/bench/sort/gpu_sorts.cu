@@ -20,24 +20,6 @@ using cuda_custom::Rung;
 constexpr Rung kRungs[] = {Rung::one_bit_split, Rung::digit_passes, Rung::reduce_then_scan,
                            Rung::onesweep};
 
-class Event {
- public:
-  Event() { check(cudaEventCreate(&event_)); }
-  Event(const Event&) = delete;
-  Event& operator=(const Event&) = delete;
-  ~Event() { cudaEventDestroy(event_); }
-  void record(cudaStream_t stream) const { check(cudaEventRecord(event_, stream)); }
-  [[nodiscard]] float ms_since(const Event& begin) const {
-    float ms = 0.0F;
-    check(cudaEventSynchronize(event_));
-    check(cudaEventElapsedTime(&ms, begin.event_, event_));
-    return ms;
-  }
-
- private:
-  cudaEvent_t event_ = nullptr;
-};
-
 class Stream {
  public:
   Stream() { check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking)); }
@@ -118,7 +100,8 @@ class Case final : public GpuSortCase {
     begin_.record(stream_);
     const int side = sort();
     end_.record(stream_);
-    const double ms = end_.ms_since(begin_);
+    end_.wait();
+    const double ms = end_.milliseconds_since(begin_);
     return {ms, fault_of(side == 0 ? front_ : back_)};
   }
 
@@ -143,8 +126,8 @@ class Case final : public GpuSortCase {
   std::uint64_t n_;
   int bits_;
   Stream stream_;
-  Event begin_;
-  Event end_;
+  cuda::Event begin_;
+  cuda::Event end_;
   Columns input_;
   Columns front_;
   Columns back_;

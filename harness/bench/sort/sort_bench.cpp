@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <random>
 #include <regex>
 
@@ -16,6 +15,7 @@
 #include "harness/bench/result_file.hpp"
 #include "harness/bench/sort/gpu_rows.hpp"
 #include "harness/bench/sort/sort_rows.hpp"
+#include "harness/driver/memory_guard.hpp"
 #include "harness/interface/error.hpp"
 
 namespace octocell::bench {
@@ -96,20 +96,17 @@ void require_sound(const SortBenchOptions& options) {
 constexpr double kBytesPerPair = 40.0;
 
 /// Throws LimitError here and now, instead of leaving the matter to the kernel, which would end
-/// the program in the middle. Says nothing where /proc/meminfo does not tell.
+/// the program in the middle.
 void require_memory(const std::vector<PlannedCase>& cases) {
   if (cases.empty()) return;
   constexpr double kGiB = 1073741824.0;
   const double needed = kBytesPerPair * cases.back().what.n;  // the largest comes last
-  std::ifstream meminfo("/proc/meminfo");
-  std::string word;
-  double kilobytes = 0.0;
-  while (meminfo >> word && word != "MemAvailable:") continue;
-  if (!(meminfo >> kilobytes) || needed <= kilobytes * 1024.0) return;
+  const std::optional<double> available = available_bytes();
+  if (!available || needed <= *available) return;
   throw LimitError(
       fmt::format("n={} needs {:.1f} GiB, and {:.1f} GiB are available; --filter "
                   "chooses smaller cases",
-                  cases.back().what.n, needed / kGiB, kilobytes * 1024.0 / kGiB));
+                  cases.back().what.n, needed / kGiB, *available / kGiB));
 }
 
 std::optional<std::string> why_skipped(const SortRow& row, const SortCase& what) {

@@ -10,17 +10,12 @@
 #include <utility>
 
 #include "harness/bench/google_time.hpp"
+#include "harness/driver/median.hpp"
 
 namespace octocell::bench {
 namespace {
 
 constexpr double kMaxIterations = 1000.0;
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2.0;
-}
 
 }  // namespace
 
