@@ -6,13 +6,13 @@
 //       finds is counted, a scan gives each row its place, and rows that found something test again
 //       and write.
 #include <thrust/for_each.h>
-#include <thrust/functional.h>
 #include <thrust/scan.h>
 #include <thrust/sequence.h>
 #include <thrust/transform.h>
 #include <thrust/transform_reduce.h>
 
 #include "harness/interface/as_written.hpp"
+#include "impl_thrust/overlap.cuh"
 #include "impl_thrust/stages.cuh"
 
 namespace octocell::on_thrust {
@@ -119,14 +119,21 @@ struct WriteRow {
   }
 };
 
+/// A count_only plan has no room for doubts: they are decided where they are found.
 struct SumRow {
   RowTest row;
+  const Sphere* spheres;
   const Found* found_before;
-  OCTOCELL_HD std::uint64_t operator()(std::uint64_t k) const {
-    std::uint64_t sum = 0;
-    if (found_before[k].sure == found_before[k + 1].sure) return sum;
+  OCTOCELL_HD Confirmed operator()(std::uint64_t k) const {
+    Confirmed sum = {0, 0};
+    const Found at = found_before[k];
+    const Found end = found_before[k + 1];
+    if (at.sure == end.sure && at.doubts == end.doubts) return sum;
     row.run(
-        k, [&](Pair pair) { sum += mix_pair(pair); }, [](Pair) {});
+        k, [&](Pair pair) { sum.add(pair); },
+        [&](Pair pair) {
+          if (overlap(spheres[pair.i], spheres[pair.j])) sum.add(pair);
+        });
     return sum;
   }
 };
@@ -166,13 +173,16 @@ void test_rows(Workspace<System>& w, const RowTest& row) {
   const Found total = w.system.read(found + row.entries);
   w.sure_count = w.pair_count = total.sure;
   w.doubt_count = total.doubts;
-  const bool store = !w.plan.count_only && w.pairs_complete();
   if (w.plan.count_only) {
-    w.checksum = thrust::transform_reduce(w.system.policy(), first, end, SumRow{row, found},
-                                          std::uint64_t{0}, thrust::plus<std::uint64_t>{});
+    const Confirmed sum =
+        thrust::transform_reduce(w.system.policy(), first, end, SumRow{row, w.spheres, found},
+                                 Confirmed{0, 0}, ConfirmedInBoth{});
+    w.pair_count = sum.count;
+    w.checksum = sum.checksum;
+    return;
   }
   thrust::for_each(w.system.policy(), first, end,
-                   WriteRow{row, found, store ? w.pairs.data() : nullptr,
+                   WriteRow{row, found, w.pairs_complete() ? w.pairs.data() : nullptr,
                             w.doubts_complete() ? w.doubts.data() : nullptr});
 }
 
