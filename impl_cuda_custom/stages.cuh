@@ -69,6 +69,7 @@ struct Workspace {
 
   cuda::DeviceArray<State> state;                          // [1]
   cuda::DeviceArray<Sphere> spheres;                       // [spheres]
+  cuda::DeviceArray<Flags> flags;                          // [spheres], or of no use: see below
   IdArrays ids[2];                                         // [plan.capacity.ids]
   cuda::DeviceArray<WideSphere> wide_spheres;              // [plan.capacity.ids / kWidePhantoms]
   cuda::DeviceArray<char> sort_scratch;                    // what the sorter asks for
@@ -79,6 +80,10 @@ struct Workspace {
 
   [[nodiscard]] std::uint64_t sphere_count() const { return scene.spheres.size(); }
   [[nodiscard]] bool brute_force() const { return plan.method == Method::brute_force; }
+  /// Where the flags are; none: every pair may collide.
+  [[nodiscard]] const Flags* flags_or_none() const {
+    return scene.flags.empty() ? nullptr : flags.data();
+  }
   [[nodiscard]] const IdArrays& sorted() const { return ids[sorter ? sorter->result_side() : 0]; }
 
   /// Calls visit(array, elements) for each array, with the room that the plan asks for.
@@ -87,6 +92,7 @@ struct Workspace {
     const Capacities& room = plan.capacity;
     visit(state, 1);
     visit(spheres, sphere_count());
+    visit(flags, scene.flags.size());
     for (IdArrays& side : ids) {
       visit(side.cell_ids, room.ids);
       visit(side.objects, room.ids);

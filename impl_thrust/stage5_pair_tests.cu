@@ -12,6 +12,7 @@
 #include <thrust/transform_reduce.h>
 
 #include "harness/interface/as_written.hpp"
+#include "harness/interface/flags.hpp"
 #include "impl_thrust/overlap.cuh"
 #include "impl_thrust/stages.cuh"
 
@@ -52,6 +53,7 @@ struct RowTest {
   const Object* objects;
   const std::uint32_t* cell_end;  // none: one cell of all entries
   std::uint64_t entries;
+  const Flags* flags;  // none: every pair may collide
   Band band;
   RuleTest rule;
 
@@ -71,6 +73,7 @@ struct RowTest {
       const Object b = objects[j];
       if (!rule.counts_here(a, p, b, q)) continue;
       const Pair pair = make_pair_of(a & kIdMask, b & kIdMask);
+      if (flags != nullptr && !may_collide(flags[pair.i], flags[pair.j])) continue;
       if (sure(p, q)) {
         on_sure(pair);
       } else {
@@ -158,8 +161,9 @@ RowTest gather_rows(Workspace<System>& w) {
                     Gather{w.spheres, w.plan.band});
   const RuleTest rule = {w.brute_force(), w.plan.rule, w.control_bits.data(),
                          as_written::cell_side(w.plan.facts.r_max)};
-  return {w.members.data(), objects,     w.brute_force() ? nullptr : w.cell_end.data(),
-          entries,          w.plan.band, rule};
+  return {
+      w.members.data(), objects, w.brute_force() ? nullptr : w.cell_end.data(), entries, w.flags,
+      w.plan.band,      rule};
 }
 
 template <typename System>

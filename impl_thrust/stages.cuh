@@ -35,6 +35,7 @@ struct Workspace {
   Plan plan;
   SceneView scene;                  // on the host: words about a sphere are made of it
   const Sphere* spheres = nullptr;  // the same, where the system computes
+  const Flags* flags = nullptr;     // none: every pair may collide
 
   Array<std::uint64_t> phantoms_before;        // [spheres + 1]
   Array<std::uint32_t> cell_ids;               // [plan.capacity.ids]

@@ -38,6 +38,10 @@ class HostSystem {
 
   /// The spheres as the stages see them: where they are.
   const Sphere* take(SceneView scene) { return scene.spheres.data(); }
+  /// The flags likewise; none: there are none.
+  const Flags* take_flags(SceneView scene) {
+    return scene.flags.empty() ? nullptr : scene.flags.data();
+  }
   template <typename T>
   T read(const T* element) {
     return *element;
@@ -75,6 +79,12 @@ class CudaSystem {
     copy(spheres_.data(), scene.spheres.data(), scene.spheres.size_bytes());
     return spheres_.data();
   }
+  const Flags* take_flags(SceneView scene) {
+    if (scene.flags.empty()) return nullptr;
+    flags_.allocate(scene.flags.size());
+    copy(flags_.data(), scene.flags.data(), scene.flags.size_bytes());
+    return flags_.data();
+  }
   template <typename T>
   T read(const T* element) {
     T value;
@@ -102,6 +112,7 @@ class CudaSystem {
   cudaStream_t stream_ = nullptr;
   Scratch<cuda::Memory> scratch_;
   cuda::DeviceArray<Sphere> spheres_;
+  cuda::DeviceArray<Flags> flags_;
 };
 
 #define OCTOCELL_FOR_BOTH_SYSTEMS(stage)         \

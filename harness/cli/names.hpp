@@ -34,6 +34,9 @@ inline Rule rule_named(std::string_view name) {
   return enumerator_named<Rule>("rule", name, kRuleNames);
 }
 
+inline constexpr const char* kFlagsHelp =
+    "NPY beside the scene, (N,): uint32 words of flags, or bool: which spheres are static";
+
 inline constexpr int kMaxThreads = 1024;
 
 /// 0 stands for all hardware threads.

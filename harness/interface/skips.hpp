@@ -21,8 +21,9 @@ enum class Skip : std::uint8_t {
   unchanged,   // dynamic: no sphere has changed since the last frame: its pairs stand
   few_movers,  // dynamic: only what moved is looked for anew
   skin,        // dynamic: nothing has moved far: the near pairs are tested again, no others
+  search,      // no two spheres may collide, whatever their places: nothing is looked for
 };
-inline constexpr std::size_t kSkipCount = 11;
+inline constexpr std::size_t kSkipCount = 12;
 
 struct SkipInfo {
   std::string_view name;
@@ -46,6 +47,8 @@ inline constexpr std::array<SkipInfo, kSkipCount> kSkips = {{
      "they equal, bit for bit, the copy whose pairs are known"},
     {"skin", "the search, while near pairs are known",
      "no sphere is further than half the skin from where the near pairs were found"},
+    {"search", "everything behind the bounds",
+     "all spheres are static, or no group of one that is not is in any mask, or the reverse"},
 }};
 constexpr std::string_view name_of(Skip s) { return kSkips[static_cast<std::size_t>(s)].name; }
 

@@ -25,6 +25,9 @@ std::string explain_grid(const Plan& plan) {
 std::string explain(const Plan& plan) {
   std::string text = fmt::format("spheres: {}, radii {:g} to {:g}\n", plan.facts.sphere_count,
                                  plan.facts.r_min_nonzero, plan.facts.r_max);
+  if (plan.nothing_to_find) {
+    return text + "search: none; by their flags no two spheres may collide\n";
+  }
   if (plan.method == Method::brute_force) {
     text += "method: brute_force, every pair is tested\n";
   } else {

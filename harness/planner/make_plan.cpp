@@ -135,6 +135,7 @@ Plan plan_method(const SceneStats& stats, Method method, const PlanOptions& opti
   plan.threads = std::max(options.threads, 1);
   plan.sort_digit_bits = options.costs.digit_bits;
   plan.allowed = options.allowed;
+  plan.nothing_to_find = !stats.some_may_collide && options.allowed.has(Skip::search);
   plan.moving = options.moving;
   plan.count_only = options.count_only;
   plan.candidate_limit = options.candidate_limit;
