@@ -9,6 +9,7 @@
 
 #include "harness/interface/backend.hpp"
 #include "harness/interface/buffer.hpp"
+#include "harness/interface/flags.hpp"
 #include "harness/interface/predicate.hpp"
 
 namespace octocell::baselines {
@@ -26,6 +27,7 @@ class CandidateSink {
   /// Untimed: forgets what was found; candidates are ids into `scene` from now on.
   void begin(SceneView scene) {
     spheres_ = scene.spheres.data();
+    flags_ = scene.flags.empty() ? nullptr : scene.flags.data();
     counts_ = {};
     checksum_beyond_room_ = 0;
   }
@@ -46,6 +48,8 @@ class CandidateSink {
       counts_.over_candidate_limit = true;
       return false;
     }
+    // Where an engine calls the filter that its user gave it.
+    if (flags_ != nullptr && !may_collide(flags_[a], flags_[b])) return true;
     if (overlap(spheres_[a], spheres_[b])) keep(make_pair_of(a, b));
     return true;
   }
@@ -95,6 +99,7 @@ class CandidateSink {
   }
 
   const Sphere* spheres_ = nullptr;
+  const Flags* flags_ = nullptr;  // none: every pair may collide
   std::uint64_t candidate_limit_ = 0;
   Counts counts_;
   Buffer<Pair> room_;  // [room_size_] the first counts_.pairs are in use

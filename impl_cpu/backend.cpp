@@ -48,6 +48,7 @@ class CpuBackend final : public GridPairFinder {
 
  protected:
   [[nodiscard]] Method method() const override { return w_.plan.method; }
+  [[nodiscard]] bool nothing_to_find() const override { return w_.plan.nothing_to_find; }
   void bounds() override { cpu::bounds(w_); }
   void cell_ids() override { cpu::cell_ids(w_); }
   void sort() override { cpu::sort(w_); }

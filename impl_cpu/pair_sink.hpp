@@ -2,6 +2,7 @@
 // Where one thread's stage 5 leaves what it finds.
 #pragma once
 
+#include "harness/interface/flags.hpp"
 #include "impl_cpu/stages.hpp"
 
 namespace octocell::cpu {
@@ -22,11 +23,13 @@ class DoubtSink {
 
 class PairSink {
  public:
-  explicit PairSink(Workspace& w) : sure_(w.pairs), doubt_sink_(w), doubts_(doubt_sink_) {}
+  explicit PairSink(Workspace& w)
+      : flags_(w.scene.flags), sure_(w.pairs), doubt_sink_(w), doubts_(doubt_sink_) {}
 
   /// Two spheres that may overlap, with band radii.
   template <Band band>
   void take(const Sphere& a, std::uint32_t id_a, const Sphere& b, std::uint32_t id_b) {
+    if (!flags_.empty() && !may_collide(flags_[id_a], flags_[id_b])) return;
     const Pair pair = make_pair_of(id_a, id_b);
     if (band_is_sure<band>(a, b)) {
       sure_.push(pair);
@@ -36,6 +39,7 @@ class PairSink {
   }
 
  private:
+  std::span<const Flags> flags_;
   PairWriter sure_;
   DoubtSink doubt_sink_;
   ListWriter<Pair, 1024, DoubtSink> doubts_;

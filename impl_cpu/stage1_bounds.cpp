@@ -5,6 +5,7 @@
 // Idea: the plan's proofs rest on a few facts; checking them is one reduction, trusting them none.
 #include <mutex>
 
+#include "harness/interface/flags.hpp"
 #include "harness/planner/scene_stats.hpp"
 #include "impl_cpu/stages.hpp"
 
@@ -22,12 +23,23 @@ bool within(const PlanFacts& seen, const PlanFacts& planned) {
   return inside && (!has_radius || seen.r_min_nonzero >= planned.r_min_nonzero);
 }
 
+/// What the stages that will not run would have left behind.
+void leave_nothing(Workspace& w) {
+  w.id_count = 0;
+  w.cells.clear();
+  w.ordered.row_count = 0;
+  w.doubts.clear();
+  w.pairs.clear(w.plan.count_only);
+  if (some_may_collide(w.scene.flags)) w.violation = kFlagsBroken;
+}
+
 }  // namespace
 
 void bounds(Workspace& w) {
   w.violation.reset();
   w.candidates = 0;
   w.used = {};
+  if (w.plan.nothing_to_find) leave_nothing(w);
   const std::span<const Sphere> spheres = w.scene.spheres;
   if (spheres.empty()) return;
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "harness/interface/flags.hpp"
 #include "harness/planner/scene_stats.hpp"
 #include "impl_cuda_custom/device.cuh"
 #include "impl_cuda_custom/device_runs.cuh"
@@ -46,11 +47,20 @@ class CudaBackend final : public GridPairFinder {
 
   /// Nothing stands between runs: every find_pairs() starts from the spheres.
   void update(SceneView scene) override {
+    const bool flags_as_before = scene.flags.size() == w_.scene.flags.size();
+    if (!flags_as_before) runs_.forget_graph();  // it holds where they are, if they are
     w_.scene = scene;
     w_.spheres.allocate(scene.spheres.size());
+    w_.flags.allocate(scene.flags.size());
+    // Here, where they are on the host: a pass over them, and only where the plan asks for it.
+    flags_broken_ = w_.plan.nothing_to_find && some_may_collide(scene.flags);
     if (scene.spheres.empty()) return;
     cuda::check(cudaMemcpyAsync(w_.spheres.data(), scene.spheres.data(), scene.spheres.size_bytes(),
                                 cudaMemcpyHostToDevice, w_.stream));
+    if (!scene.flags.empty()) {
+      cuda::check(cudaMemcpyAsync(w_.flags.data(), scene.flags.data(), scene.flags.size_bytes(),
+                                  cudaMemcpyHostToDevice, w_.stream));
+    }
     wait();
   }
 
@@ -100,6 +110,7 @@ class CudaBackend final : public GridPairFinder {
 
  protected:
   [[nodiscard]] Method method() const override { return w_.plan.method; }
+  [[nodiscard]] bool nothing_to_find() const override { return w_.plan.nothing_to_find; }
   void bounds() override { cuda_custom::bounds(w_); }
   void cell_ids() override { cuda_custom::cell_ids(w_); }
   void sort() override { cuda_custom::sort(w_); }
@@ -141,10 +152,12 @@ class CudaBackend final : public GridPairFinder {
     if ((violations & kThreeCells) != 0) {
       return chapter32::kMeetsThreeCells;
     }
+    if (flags_broken_) return kFlagsBroken;
     return std::nullopt;
   }
 
   Workspace w_;
+  bool flags_broken_ = false;  // the plan is not for flags like these
   CudaDeviceRuns runs_{*this, w_};
 };
 

@@ -2,6 +2,7 @@
 // Where stage 5 leaves what it finds: in the two lists, or only in the sums.
 #pragma once
 
+#include "harness/interface/flags.hpp"
 #include "impl_cuda_custom/exact.cuh"
 #include "impl_cuda_custom/pair_writer.cuh"
 
@@ -11,7 +12,13 @@ struct SinkArguments {
   PairList pairs;
   PairList doubts;
   const Sphere* spheres;
+  const Flags* flags;  // none: every pair may collide
   State* state;
+
+  /// Asked for pairs that were found only.
+  [[nodiscard]] __device__ bool keeps_apart(Pair pair) const {
+    return flags != nullptr && !may_collide(flags[pair.i], flags[pair.j]);
+  }
 };
 
 /// Pairs are kept; doubts, too, for stage 6.
@@ -24,10 +31,11 @@ class Keep {
     PairWriter::Shared doubts;
   };
   __device__ Keep(const SinkArguments& to, Shared& shared)
-      : pairs_(to.pairs, shared.pairs), doubts_(to.doubts, shared.doubts) {}
+      : to_(to), pairs_(to.pairs, shared.pairs), doubts_(to.doubts, shared.doubts) {}
 
   /// All lanes of the warp call it.
   __device__ void take(bool sure, bool doubt, Pair pair) {
+    if ((sure || doubt) && to_.keeps_apart(pair)) sure = doubt = false;
     pairs_.push(sure, pair);
     doubts_.push(doubt, pair);
   }
@@ -38,6 +46,7 @@ class Keep {
   }
 
  private:
+  const SinkArguments& to_;  // a kernel's parameter
   PairWriter pairs_;
   PairWriter doubts_;
 };
@@ -50,6 +59,7 @@ class Count {
   __device__ Count(const SinkArguments& to, Shared&) : to_(to) {}
 
   __device__ void take(bool sure, bool doubt, Pair pair) {
+    if ((sure || doubt) && to_.keeps_apart(pair)) return;
     if (doubt) {
       ++doubts_;
       sure = overlap(to_.spheres, pair);

@@ -40,9 +40,10 @@ __global__ void __launch_bounds__(kBlockThreads)
 State opening_state(const Workspace& w) {
   State state;
   const std::uint64_t count = w.sphere_count();
-  if (!w.brute_force()) {
+  const bool goes_on = !w.plan.nothing_to_find;  // else the counts stay as no stage left them: zero
+  if (goes_on && !w.brute_force()) {
     state.ids = count;  // the homes; phantoms follow
-  } else if (count > 0) {
+  } else if (goes_on && count > 0) {
     state.entries = count;
     state.candidates = count * (count - 1) / 2;
   }

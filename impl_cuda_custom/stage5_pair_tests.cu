@@ -178,6 +178,7 @@ Job job_of(Workspace& w) {
           .sink = {.pairs = {w.pairs.data(), w.plan.capacity.pairs, &state->pairs},
                    .doubts = {w.doubts.data(), w.plan.capacity.doubts, &state->doubts},
                    .spheres = w.spheres.data(),
+                   .flags = w.flags_or_none(),
                    .state = state}};
 }
 

@@ -64,6 +64,7 @@ struct Workspace {
 
   cuda::DeviceArray<State> state;                          // [1]
   cuda::DeviceArray<Sphere> spheres;                       // [spheres]
+  cuda::DeviceArray<Flags> flags;                          // [spheres], or of no use: see below
   cuda::DeviceArray<std::uint32_t> ids[2];                 // both sides of the sort: see side()
   cuda::DeviceArray<WideSphere> wide_spheres;              // [plan.capacity.ids / kWidePhantoms]
   cuda::DeviceArray<char> sort_scratch;                    // what the sorter asks for
@@ -74,6 +75,10 @@ struct Workspace {
 
   [[nodiscard]] std::uint64_t sphere_count() const { return scene.spheres.size(); }
   [[nodiscard]] bool brute_force() const { return plan.method == Method::brute_force; }
+  /// Where the flags are; none: every pair may collide.
+  [[nodiscard]] const Flags* flags_or_none() const {
+    return scene.flags.empty() ? nullptr : flags.data();
+  }
   /// Cell ids (keys) with their objects (values), [plan.capacity.ids]: on side 0 before the sort.
   [[nodiscard]] KeysAndValues side(int which) const {
     return arrays_in(ids[which].data(), plan.capacity.ids);
@@ -86,6 +91,7 @@ struct Workspace {
     const Capacities& room = plan.capacity;
     visit(state, 1);
     visit(spheres, sphere_count());
+    visit(flags, scene.flags.size());
     for (auto& side : ids) visit(side, words_of_side(room.ids));
     visit(wide_spheres, room.ids / kWidePhantoms);
     visit(sort_scratch, sorter ? sorter->scratch_bytes() : 0);

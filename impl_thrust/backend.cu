@@ -32,6 +32,7 @@ class ThrustBackend final : public GridPairFinder {
   void update(SceneView scene) override {
     w_.scene = scene;
     w_.spheres = w_.system.take(scene);
+    w_.flags = w_.system.take_flags(scene);
   }
 
   std::unique_ptr<StageClock> make_clock(Marks marks) override {
@@ -67,6 +68,7 @@ class ThrustBackend final : public GridPairFinder {
 
  protected:
   [[nodiscard]] Method method() const override { return w_.plan.method; }
+  [[nodiscard]] bool nothing_to_find() const override { return w_.plan.nothing_to_find; }
   void bounds() override {
     System::use_threads(w_.plan.threads);
     on_thrust::bounds(w_);

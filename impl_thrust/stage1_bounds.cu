@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "harness/interface/flags.hpp"
 #include "harness/planner/scene_stats.hpp"
 #include "impl_thrust/stages.cuh"
 
@@ -58,12 +59,21 @@ bool within(const Extremes& seen, const PlanFacts& planned) {
   return inside && seen.r_min_nonzero >= planned.r_min_nonzero;
 }
 
+/// What the stages that will not run would have left behind.
+template <typename System>
+void leave_nothing(Workspace<System>& w) {
+  w.id_count = w.cell_count = 0;
+  w.sure_count = w.pair_count = w.doubt_count = w.checksum = 0;
+  if (some_may_collide(w.scene.flags)) w.violation = kFlagsBroken;
+}
+
 }  // namespace
 
 template <typename System>
 void bounds(Workspace<System>& w) {
   w.violation.reset();
   w.candidates = 0;
+  if (w.plan.nothing_to_find) leave_nothing(w);
   if (w.sphere_count() == 0) return;
   const Extremes seen =
       thrust::transform_reduce(w.system.policy(), w.spheres, w.spheres + w.sphere_count(),

@@ -8,6 +8,7 @@
 #include <thrust/sequence.h>
 
 #include "harness/interface/as_written.hpp"
+#include "harness/interface/flags.hpp"
 #include "impl_thrust/found_pairs.cuh"
 #include "impl_thrust/gather.cuh"
 #include "impl_thrust/half_shell/half_shell.cuh"
@@ -49,6 +50,7 @@ struct RowTest {
   const Object* objects;
   const std::uint32_t* cell_end;  // none: one cell of all entries
   std::uint64_t entries;
+  const Flags* flags;  // none: every pair may collide
   Band band;
   RuleTest rule;
 
@@ -64,6 +66,7 @@ struct RowTest {
       const Object b = objects[j];
       if (!rule.counts_here(a, p, b, q)) continue;
       const Pair pair = make_pair_of(a & kIdMask, b & kIdMask);
+      if (flags != nullptr && !may_collide(flags[pair.i], flags[pair.j])) continue;
       if (is_sure(band, p, q)) {
         on_sure(pair);
       } else {
@@ -81,8 +84,9 @@ RowTest gather_rows(Workspace<System>& w) {
   gather_members(w);
   const RuleTest rule = {w.brute_force(), w.plan.rule, w.control_bits.data(),
                          as_written::cell_side(w.plan.facts.r_max)};
-  return {w.members.data(), objects,     w.brute_force() ? nullptr : w.cell_end.data(),
-          entries,          w.plan.band, rule};
+  return {
+      w.members.data(), objects, w.brute_force() ? nullptr : w.cell_end.data(), entries, w.flags,
+      w.plan.band,      rule};
 }
 
 }  // namespace

@@ -42,6 +42,7 @@ struct Workspace {
   SceneView scene;                  // on the host: words about a sphere are made of it
   const Sphere* spheres = nullptr;  // the same, where the system computes
   const Levels* levels = nullptr;   // the plan's, there
+  const Flags* flags = nullptr;     // none: every pair may collide
 
   Array<std::uint64_t> phantoms_before;        // [spheres + 1]
   Array<std::uint32_t> cell_ids;               // [plan.capacity.ids]

@@ -40,6 +40,10 @@ class HostSystem {
   /// The spheres as the stages see them: where they are.
   const Sphere* take(SceneView scene) { return scene.spheres.data(); }
   const Levels* take(const Levels& levels) { return &levels; }
+  /// The flags likewise; none: there are none.
+  const Flags* take_flags(SceneView scene) {
+    return scene.flags.empty() ? nullptr : scene.flags.data();
+  }
   template <typename T>
   T read(const T* element) {
     return *element;
@@ -83,6 +87,12 @@ class CudaSystem {
     copy(levels_.data(), &levels, sizeof levels);
     return levels_.data();
   }
+  const Flags* take_flags(SceneView scene) {
+    if (scene.flags.empty()) return nullptr;
+    flags_.allocate(scene.flags.size());
+    copy(flags_.data(), scene.flags.data(), scene.flags.size_bytes());
+    return flags_.data();
+  }
   template <typename T>
   T read(const T* element) {
     T value;
@@ -111,6 +121,7 @@ class CudaSystem {
   Scratch<cuda::Memory> scratch_;
   cuda::DeviceArray<Sphere> spheres_;
   cuda::DeviceArray<Levels> levels_;
+  cuda::DeviceArray<Flags> flags_;
 };
 
 #define OCTOCELL_FOR_BOTH_SYSTEMS(stage)         \

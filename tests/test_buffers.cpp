@@ -61,6 +61,7 @@ TEST_P(Buffers, AreNotNeededToCount) {
     const Outcome outcome = find_completely(*counter, scene.view(), count);
     EXPECT_EQ(counter->digest(), finder_->digest()) << spec;
     EXPECT_EQ(outcome.plan.capacity.pairs, 0U);
+    EXPECT_EQ(outcome.plan.capacity.doubts, 0U);
   }
 }
 

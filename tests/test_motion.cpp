@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "harness/interface/error.hpp"
+#include "harness/interface/flags.hpp"
 #include "harness/scenes/motion.hpp"
 #include "harness/scenes/save.hpp"
 #include "tests/scene_folder.hpp"
@@ -64,6 +65,21 @@ TEST_P(Motions, DoNotMindScenesWithoutExtent) {
       for (const Sphere& s : frame) EXPECT_TRUE(std::isfinite(s.x + s.y + s.z)) << spec;
     }
   }
+}
+
+TEST_P(Motions, LeaveStaticSpheresWhereTheyAre) {
+  const Scene scene = generate("gas:n=400,static=0.5");
+  const Frames without = move(scene.spheres, GetParam(), 8, kSeed);
+  const Frames frames = move(scene.spheres, GetParam(), 8, kSeed, scene.flags);
+  Frames expected = without;
+  for (auto& frame : expected) {
+    for (std::size_t i = 0; i < frame.size(); ++i) {
+      if (is_static(scene.flags[i])) frame[i] = scene.spheres[i];
+    }
+  }
+  EXPECT_EQ(fingerprint(frames), fingerprint(expected));
+  EXPECT_NE(fingerprint(frames), fingerprint(without));
+  EXPECT_NE(fingerprint({frames[7]}), fingerprint({frames[0]}));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Motions,

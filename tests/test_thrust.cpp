@@ -145,7 +145,7 @@ TEST_P(Thrust, ATangentLatticeIsCountedWhereItsDoubtsDoNotAllFit) {
     EXPECT_EQ(answer.pairs.size(), room == all.counts.pairs ? room : 0U);
   }
   plan.count_only = true;
-  plan.capacity.pairs = 0;
+  plan.capacity.pairs = plan.capacity.doubts = 0;
   EXPECT_EQ(ask(*ours_, plan, scene.view()).digest, all.digest);
 }
 

@@ -59,10 +59,11 @@ Subject film(const Group& group) {
   Footage footage = footage_of(group);
   Subject subject = {.spec = std::move(footage.spec),
                      .frames = std::move(footage.frames),
+                     .flags = std::move(footage.flags),
                      .truth = {},
                      .digests = {}};
   for (const std::vector<Sphere>& spheres : subject.frames) {
-    std::vector<Pair> truth = reference::exact_pairs(spheres);
+    std::vector<Pair> truth = reference::exact_pairs(spheres, subject.flags);
     subject.digests.push_back(digest_of(truth));
     if (subject.digests.size() == 1) subject.truth = std::move(truth);
   }
@@ -196,7 +197,7 @@ class Bench {
       const bool skipped = runner.result().skipped.has_value();
       // The host's memory says little of a row on a device: most of it is the driver's.
       if (options_.memory && !skipped && !group.moves() && !row.how.backend->device) {
-        if (!memory.contains(key)) memory[key] = peak_bytes(row, group.argument);
+        if (!memory.contains(key)) memory[key] = peak_bytes(row, group);
         runner.result().peak_bytes = memory[key];
       }
       progress_.learn(step, seconds_since(begin), skipped ? 1.0 : 1.0 / (1.0 + group.rounds));

@@ -10,11 +10,12 @@
 namespace octocell::bench {
 
 struct BenchOptions {
-  std::string preset = "quick";     // quick, full or gpu; which scenes, sizes and rounds
-  std::vector<std::string> scenes;  // instead of the preset's
-  std::string motion;               // sets those scenes in motion
-  std::string trajectory;           // a folder of frames, *.npy
-  int frames = 20;                  // of a motion
+  std::string preset = "quick";      // quick, full or gpu; which scenes, sizes and rounds
+  std::vector<std::string> scenes;   // instead of the preset's
+  std::optional<std::string> flags;  // of the one scene named: a side file
+  std::string motion;                // sets those scenes in motion
+  std::string trajectory;            // a folder of frames, *.npy
+  int frames = 20;                   // of a motion
   std::string backend = "all";
   std::string output = "reports/out/bench.json";
   std::string filter;         // regular expression on row names; empty: all
@@ -39,7 +40,8 @@ int run_bench(const BenchOptions& options);
 /// {"peak_bytes": growth of resident memory over the scene itself, "output_bytes": 8 a pair}.
 struct MemoryOptions {
   std::string scene;
-  std::string row;  // Implementation::label()
+  std::optional<std::string> flags;  // a side file
+  std::string row;                   // Implementation::label()
   int threads = 1;
 };
 int run_memory_child(const MemoryOptions& options);

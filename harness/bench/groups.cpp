@@ -45,9 +45,9 @@ Group molecule(int rounds) {
 }
 
 /// A scene of the caller's.
-Group custom(const std::string& argument) {
-  const Scene scene = load_or_generate(argument);
-  return {.scene = scene.name, .n = scene.spheres.size(), .argument = argument};
+Group custom(const std::string& argument, const std::optional<std::string>& flags) {
+  const Scene scene = load_or_generate(argument, {.flags = flags});
+  return {.scene = scene.name, .n = scene.spheres.size(), .argument = argument, .flags = flags};
 }
 
 /// gas, gas#2: scenes that differ in a seed only must not share the names of their rows.
@@ -151,7 +151,7 @@ std::vector<Group> ablation_groups() {
   for (const std::uint64_t n : {100ULL, 10'000ULL}) add(groups, "gas", n, kRounds, Rows::ablation);
   for (const auto scene : kScenes) add(groups, scene, 100'000, kRounds, Rows::ablation);
   for (const auto scene : kHard) {
-    groups.push_back(custom(std::string(scene)));
+    groups.push_back(custom(std::string(scene), {}));
     groups.back().scene = scene.substr(0, scene.find(':'));
     const std::size_t comma = scene.find(',');
     if (comma != std::string_view::npos) {
@@ -165,9 +165,12 @@ std::vector<Group> ablation_groups() {
 
 /// The caller's scenes, set in motion if the options say so.
 std::vector<Group> custom_groups(const BenchOptions& options) {
+  if (options.flags && (options.scenes.size() != 1 || !options.trajectory.empty())) {
+    throw InputError("--flags are those of one scene: name that one, and nothing else");
+  }
   std::vector<Group> groups;
   for (const std::string& scene : options.scenes) {
-    groups.push_back(custom(scene));
+    groups.push_back(custom(scene, options.flags));
     if (options.motion.empty()) continue;
     groups.back().motion = motion_named(options.motion);
     groups.back().scene += "_" + options.motion;
@@ -184,12 +187,13 @@ std::vector<Group> custom_groups(const BenchOptions& options) {
 }  // namespace
 
 Footage footage_of(const Group& group) {
-  if (!group.trajectory.empty()) return {group.trajectory, load_frames(group.trajectory)};
-  Scene scene = load_or_generate(group.argument);
-  if (!group.motion) return {scene.spec, {std::move(scene.spheres)}};
+  if (!group.trajectory.empty()) return {group.trajectory, load_frames(group.trajectory), {}};
+  Scene scene = load_or_generate(group.argument, {.flags = group.flags});
+  if (!group.motion) return {scene.spec, {std::move(scene.spheres)}, std::move(scene.flags)};
   return {fmt::format("{} {} frames={}", scene.spec,
                       kMotionNames[static_cast<std::size_t>(*group.motion)], group.frames),
-          move(scene.spheres, *group.motion, group.frames, kMotionSeed)};
+          move(scene.spheres, *group.motion, group.frames, kMotionSeed, scene.flags),
+          std::move(scene.flags)};
 }
 
 std::vector<Group> choose_groups(const BenchOptions& options) {

@@ -24,12 +24,13 @@ enum class Rows : std::uint8_t {
 
 /// Rows that are interleaved with each other: one scene at one size.
 struct Group {
-  std::string scene;                  // label: generator or file stem
-  std::uint64_t n = 0;                // spheres
-  std::string argument;               // for load_or_generate()
-  std::string unavailable = {};       // why a real scene is not there; empty if it is
-  std::optional<Motion> motion = {};  // of a group that moves
-  std::string trajectory = {};        // or the folder of its frames
+  std::string scene;                      // label: generator or file stem
+  std::uint64_t n = 0;                    // spheres
+  std::string argument;                   // for load_or_generate()
+  std::optional<std::string> flags = {};  // the side file that goes with it
+  std::string unavailable = {};           // why a real scene is not there; empty if it is
+  std::optional<Motion> motion = {};      // of a group that moves
+  std::string trajectory = {};            // or the folder of its frames
   int frames = 1;
   bool real = false;  // a file fetched at set-up; it may be missing
   int rounds = 5;
@@ -42,6 +43,7 @@ struct Group {
 struct Footage {
   std::string spec;  // gives the same frames again
   Frames frames;
+  std::vector<Flags> flags;  // of each sphere, in all frames; or none
 };
 Footage footage_of(const Group& group);
 

@@ -69,10 +69,12 @@ std::string output_of_self(std::vector<std::string> arguments) {
 
 }  // namespace
 
-std::optional<std::uint64_t> peak_bytes(const RowSpec& row, const std::string& scene_argument) {
-  const std::string output =
-      output_of_self({"measure-memory", scene_argument, "--row", row.how.label(), "--threads",
-                      std::to_string(row.threads)});
+std::optional<std::uint64_t> peak_bytes(const RowSpec& row, const Group& group) {
+  std::vector<std::string> arguments = {"measure-memory", group.argument,
+                                        "--row",          row.how.label(),
+                                        "--threads",      std::to_string(row.threads)};
+  if (group.flags) arguments.insert(arguments.end(), {"--flags", *group.flags});
+  const std::string output = output_of_self(arguments);
   const nlohmann::json json = nlohmann::json::parse(output, nullptr, false);
   if (!json.is_object() || !json.contains("peak_bytes")) return std::nullopt;
   return json["peak_bytes"].get<std::uint64_t>();
@@ -82,7 +84,7 @@ int run_memory_child(const MemoryOptions& options) {
   const std::vector<Implementation> all = implementations();
   const auto row = std::ranges::find(all, options.row, &Implementation::label);
   if (row == all.end()) throw InputError(fmt::format("unknown row '{}'", options.row));
-  const Scene scene = load_or_generate(options.scene);
+  const Scene scene = load_or_generate(options.scene, {.flags = options.flags});
   malloc_trim(0);
   const std::uint64_t before = status_bytes("VmRSS");
   forget_peak();

@@ -11,6 +11,6 @@ namespace octocell::bench {
 
 /// Growth of resident memory over the scene itself while the row finds its pairs once, in a child
 /// process of its own. Nothing where /proc does not tell.
-std::optional<std::uint64_t> peak_bytes(const RowSpec& row, const std::string& scene_argument);
+std::optional<std::uint64_t> peak_bytes(const RowSpec& row, const Group& group);
 
 }  // namespace octocell::bench

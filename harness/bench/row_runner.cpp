@@ -60,7 +60,7 @@ void RowRunner::judge(std::size_t frame) {
   if (digest == subject_.digests[frame]) return;
   // A wrong answer shows what is wrong with it; that takes the exact pairs of this very frame.
   const std::vector<Pair> truth =
-      frame == 0 ? subject_.truth : reference::exact_pairs(subject_.frames[frame]);
+      frame == 0 ? subject_.truth : reference::exact_pairs(subject_.frames[frame], subject_.flags);
   result_.difference = reference::compare(finder_->download(), truth);
 }
 

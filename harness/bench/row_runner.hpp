@@ -18,10 +18,11 @@ namespace octocell::bench {
 struct Subject {
   std::string spec;
   Frames frames;
+  std::vector<Flags> flags;         // of each sphere, in all frames; or none
   std::vector<Pair> truth;          // of frames[0]
   std::vector<PairDigest> digests;  // of each frame's exact pairs
 
-  [[nodiscard]] SceneView view(std::size_t frame = 0) const { return {frames[frame]}; }
+  [[nodiscard]] SceneView view(std::size_t frame = 0) const { return {frames[frame], flags}; }
 };
 
 /// What is known of a row so far; the fields of its JSON.

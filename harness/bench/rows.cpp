@@ -10,10 +10,10 @@ namespace octocell::bench {
 namespace {
 
 /// The order in which the report's waterfall adds them.
-constexpr Skip kFromTextToPlan[] = {Skip::key_bits,   Skip::safe_band,  Skip::phantoms,
-                                    Skip::layers,     Skip::wide_cells, Skip::passes,
-                                    Skip::sort,       Skip::grid,       Skip::unchanged,
-                                    Skip::few_movers, Skip::skin};
+constexpr Skip kFromTextToPlan[] = {Skip::key_bits,  Skip::safe_band,  Skip::phantoms,
+                                    Skip::layers,    Skip::wide_cells, Skip::passes,
+                                    Skip::sort,      Skip::grid,       Skip::search,
+                                    Skip::unchanged, Skip::few_movers, Skip::skin};
 static_assert(std::size(kFromTextToPlan) == kSkipCount);
 
 constexpr std::string_view kFastBaselines[] = {"fcl_dynamic_aabb_tree_morton",

@@ -13,6 +13,7 @@ void add_memory_child(CLI::App& app, Command& command) {
   CLI::App* sub = app.add_subcommand("measure-memory", "One run for the bench's memory column");
   sub->group("");  // not in the help: the bench starts it
   sub->add_option("SCENE", o->scene)->required();
+  sub->add_option("--flags", o->flags);
   sub->add_option("--row", o->row)->required();
   sub->add_option("--threads", o->threads);
   sub->callback([&command, o] { command = [o] { return bench::run_memory_child(*o); }; });
@@ -27,6 +28,7 @@ void add_bench(CLI::App& app, Command& command) {
       "bench",
       "Time every implementation; Google Benchmark's flags (--benchmark_...) pass through");
   sub->add_option("SCENE", o->scenes, "Scenes to time instead of a preset's");
+  sub->add_option("--flags", o->flags, kFlagsHelp);
   sub->add_option("--preset", o->preset,
                   "quick (minutes, default), full (an hour), gpu or ablation");
   sub->add_option("--backend", o->backend, "A backend, a baseline, or all");

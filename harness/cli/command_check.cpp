@@ -20,6 +20,7 @@ namespace {
 struct Options {
   std::vector<std::string> scenes;
   std::string backend = "all";
+  std::optional<std::string> flags;
   int threads = 0;
   double candidate_limit = 2e10;
   double timeout = 60.0;  // seconds
@@ -123,10 +124,13 @@ Limits limits_of(const Options& options) {
 int check(const Options& options) {
   const std::vector<Implementation> rows = implementations(options.backend);
   const Limits limits = limits_of(options);
+  if (options.flags && options.scenes.size() != 1) {
+    throw InputError("--flags are those of one scene: name that one");
+  }
   int totals[5] = {};
   for (const std::string& argument : scenes_or_default(options)) {
-    const Scene scene = load_or_generate(argument);
-    const std::vector<Pair> truth = reference::exact_pairs(scene.spheres);
+    const Scene scene = load_or_generate(argument, {.flags = options.flags});
+    const std::vector<Pair> truth = reference::exact_pairs(scene);
     fmt::print("{} ({} spheres, {} pairs)\n", scene.spec, scene.spheres.size(), truth.size());
     for (const Implementation& how : rows) {
       const Verdict verdict = try_implementation(how, scene, truth, limits);
@@ -150,6 +154,7 @@ void add_check(CLI::App& app, Command& command) {
   CLI::App* sub =
       app.add_subcommand("check", "Compare every implementation with the exact pair set");
   sub->add_option("SCENE", o->scenes, "Files or generators; none: every generator, small");
+  sub->add_option("--flags", o->flags, kFlagsHelp);
   sub->add_option("--backend", o->backend, "A backend, a baseline, or all");
   sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
   sub->add_option("--candidate-limit", o->candidate_limit,

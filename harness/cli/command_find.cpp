@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "harness/cli/commands.hpp"
 #include "harness/cli/names.hpp"
 #include "harness/driver/complete.hpp"
+#include "harness/interface/flags.hpp"
 #include "harness/planner/explain.hpp"
 #include "harness/reference/reference.hpp"
 #include "harness/registry/registry.hpp"
@@ -21,6 +23,7 @@ struct Options {
   std::string backend = "impl_cpu";
   std::string method;
   std::string rule;
+  std::optional<std::string> flags;
   std::optional<std::string> output;
   std::optional<double> cell_side;
   int threads = 0;
@@ -62,10 +65,14 @@ struct RoundingEffect {
 
 std::optional<RoundingEffect> rounding_effect(const Scene& scene) {
   if (!scene.unrounded) return std::nullopt;
-  const std::vector<Pair> before = reference::box_tree(std::span(*scene.unrounded));
-  const std::vector<Pair> after = reference::exact_pairs(scene.spheres);
+  const std::vector<Pair> before = reference::box_tree(std::span(*scene.unrounded), scene.flags);
+  const std::vector<Pair> after = reference::exact_pairs(scene);
   const reference::Comparison change = reference::compare(after, before);
   return RoundingEffect{.lost = change.missed, .gained = change.false_pairs};
+}
+
+std::ptrdiff_t count_static(const Scene& scene) {
+  return std::ranges::count_if(scene.flags, is_static);
 }
 
 struct Answer {
@@ -81,6 +88,7 @@ nlohmann::ordered_json to_json(const Answer& answer) {
   nlohmann::ordered_json json = {
       {"scene", answer.scene.spec},
       {"n", answer.scene.spheres.size()},
+      {"static", count_static(answer.scene)},
       {"backend", how.backend->name},
       {"method",
        how.is_baseline() ? nlohmann::ordered_json() : name_of(answer.outcome.plan.method)},
@@ -110,7 +118,10 @@ nlohmann::ordered_json to_json(const Answer& answer) {
 void print_text(const Answer& answer) {
   const Implementation& how = answer.implementation;
   const int threads = how.backend->threaded ? answer.outcome.plan.threads : 1;
-  fmt::print("scene       {} ({} spheres)\n", answer.scene.spec, answer.scene.spheres.size());
+  fmt::print("scene       {} ({} spheres{})\n", answer.scene.spec, answer.scene.spheres.size(),
+             answer.scene.flags.empty()
+                 ? ""
+                 : fmt::format(" with flags, {} static", count_static(answer.scene)));
   fmt::print("backend     {}, {} thread{}\n", how.label(), threads, threads == 1 ? "" : "s");
   if (how.exhibit()) fmt::print("            an exhibit: this rule loses pairs\n");
   if (how.has_known_faults()) {
@@ -142,7 +153,8 @@ int find(const Options& options) {
       with_skips(how.plan_options(thread_count(options.threads)), options.no_skip, options.force);
   plan_options.count_only = options.count;
   plan_options.cell_side = options.cell_side;
-  const Scene scene = load_or_generate(options.scene, {.round_input = options.round_input});
+  const Scene scene =
+      load_or_generate(options.scene, {.flags = options.flags, .round_input = options.round_input});
   const std::unique_ptr<PairFinder> finder = how.backend->create();
   const Outcome outcome = find_completely(*finder, scene.view(), plan_options);
   require_used(plan_options.forced, outcome.counts.used);
@@ -173,6 +185,7 @@ void add_find(CLI::App& app, Command& command) {
   CLI::App* sub = app.add_subcommand("find", "Find every overlapping pair of a scene");
   sub->add_option("SCENE", o->scene, "A file (.npy, .csv, .pqr) or a generator: gas:n=1e5,seed=7")
       ->required();
+  sub->add_option("--flags", o->flags, kFlagsHelp);
   sub->add_option("--backend", o->backend, "A backend or a baseline; see 'octocell list'");
   sub->add_option(
       "--method", o->method,

@@ -19,13 +19,19 @@ void list_backends(Kind kind) {
   }
 }
 
+void list_parameters(std::span<const ParameterInfo> parameters) {
+  for (const ParameterInfo& p : parameters) {
+    fmt::print("      {:<10} {} (default {})\n", p.name, p.summary, p.preset);
+  }
+}
+
 void list_scenes() {
   for (const SceneInfo& scene : scenes()) {
     fmt::print("  {:<12} {}\n", scene.name, scene.summary);
-    for (const ParameterInfo& p : scene.parameters) {
-      fmt::print("      {:<10} {} (default {})\n", p.name, p.summary, p.preset);
-    }
+    list_parameters(scene.parameters);
   }
+  fmt::print("    every scene takes flags, too\n");
+  list_parameters(flag_parameters());
 }
 
 int list() {

@@ -83,6 +83,9 @@ inline void require_used(Skips forced, Skips used) {
   }
 }
 
+inline constexpr const char* kFlagsHelp =
+    "NPY beside the scene, (N,): uint32 words of flags, or bool: which spheres are static";
+
 inline constexpr int kMaxThreads = 1024;
 
 /// 0 stands for all hardware threads.

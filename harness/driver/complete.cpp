@@ -25,7 +25,10 @@ Outcome complete(PairFinder& finder, SceneView scene, Plan plan, StageClock& clo
 }
 
 Plan plan_scene(SceneView scene, const PlanOptions& options) {
-  if (options.buffers_only) return plan_buffers(scene.spheres.size(), options);
+  if (options.buffers_only) {
+    require_all_flags(scene);
+    return plan_buffers(scene.spheres.size(), options);
+  }
   return make_plan(measure(scene), options);
 }
 

@@ -70,6 +70,7 @@ class GridPairFinder : public PairFinder {
     clock.start();
     bounds();
     clock.mark(Stage::bounds);
+    if (nothing_to_find()) return;
     if (method() != Method::brute_force) {
       cell_ids();
       clock.mark(Stage::cell_ids);
@@ -86,6 +87,8 @@ class GridPairFinder : public PairFinder {
 
  protected:
   [[nodiscard]] virtual Method method() const = 0;
+  /// The plan says that there are no pairs; bounds() has then left empty lists.
+  [[nodiscard]] virtual bool nothing_to_find() const = 0;
   virtual void bounds() = 0;
   virtual void cell_ids() = 0;
   virtual void sort() = 0;

@@ -71,6 +71,8 @@ OCTOCELL_HD int level_of(const Levels& levels, float r) {
 /// What Counts::plan_violation says where they no longer hold.
 inline constexpr const char* kFactsBroken =
     "the spheres have left the box or the range of radii that the plan rests on";
+inline constexpr const char* kFlagsBroken =
+    "the plan rests on flags by which no two spheres collide, and now some do";
 
 struct Plan {
   Method method = Method::home_phantom;
@@ -85,6 +87,7 @@ struct Plan {
   int threads = 1;
   Skips allowed = Skips::all();  // what may be left out where the data show that it can
   Skips taken;                   // what this plan leaves out
+  bool nothing_to_find = false;  // by their flags no two spheres may collide; stage 1 checks it
   bool moving = false;           // updates will come: what a frame leaves may serve the next
   bool count_only = false;       // keep count and checksum, store no pairs
   /// Pair tests are not started when more candidates than this are counted beforehand.

@@ -10,6 +10,7 @@
 namespace octocell {
 
 enum class Skip : std::uint8_t {
+  search,      // no two spheres may collide, whatever their places: nothing is looked for
   grid,        // few spheres: every pair is tested, no cells
   phantoms,    // cells are a diameter wide: one id a sphere, neighbours are visited instead
   wide_cells,  // radii differ: the large get a level of their own, so the small keep small cells
@@ -22,7 +23,7 @@ enum class Skip : std::uint8_t {
   few_movers,  // dynamic: only what moved is looked for anew
   skin,        // dynamic: nothing has moved far: the near pairs are tested again, no others
 };
-inline constexpr std::size_t kSkipCount = 11;
+inline constexpr std::size_t kSkipCount = 12;
 
 struct SkipInfo {
   std::string_view name;
@@ -30,6 +31,8 @@ struct SkipInfo {
   std::string_view proof;  // why that is safe
 };
 inline constexpr std::array<SkipInfo, kSkipCount> kSkips = {{
+    {"search", "everything behind the bounds",
+     "all spheres are static, or no group of one that is not is in any mask, or the reverse"},
     {"grid", "cells, ids and their sort", "every pair is tested"},
     {"phantoms", "up to seven further ids a sphere",
      "cells are at least a diameter wide, so spheres that overlap lie in adjacent ones"},

@@ -64,6 +64,9 @@ std::string predicate_of(const Plan& plan) {
 std::string fact_of(Skip skip, const SceneStats& stats, const Plan& plan, bool taken) {
   const PlanFacts& f = stats.facts;
   switch (skip) {
+    case Skip::search:
+      return stats.some_may_collide ? "some spheres may collide by their flags"
+                                    : "by their flags no two spheres may collide";
     case Skip::grid:
       return fmt::format(
           "{} spheres have {:.3g} pairs", f.sphere_count,

@@ -140,6 +140,7 @@ Skips taken_by(const Plan& plan) {
   const auto take_if = [&](bool is_taken, Skip skip) {
     if (is_taken) taken = taken.with(skip);
   };
+  take_if(plan.nothing_to_find, Skip::search);
   take_if(plan.method == Method::brute_force, Skip::grid);
   take_if(plan.method == Method::half_shell, Skip::phantoms);
   take_if(plan.levels.count > 1, Skip::wide_cells);
@@ -156,6 +157,7 @@ Plan plan_method(const SceneStats& stats, Method method, const PlanOptions& opti
   plan.threads = std::max(options.threads, 1);
   plan.sort_digit_bits = options.costs.digit_bits;
   plan.allowed = options.allowed;
+  plan.nothing_to_find = !stats.some_may_collide && options.allowed.has(Skip::search);
   plan.moving = options.moving;
   plan.count_only = options.count_only;
   plan.candidate_limit = options.candidate_limit;
@@ -170,6 +172,7 @@ Plan plan_method(const SceneStats& stats, Method method, const PlanOptions& opti
 /// Why a plan does not leave out what a caller insists on. The rest only the data can tell.
 std::string why_not(const Plan& plan, Skip skip) {
   const Grid& grid = plan.levels.level[0].grid;
+  if (skip == Skip::search) return "some spheres may collide by their flags";
   if (plan.method != Method::half_shell && skip < Skip::key_bits) {
     return fmt::format("the method is {}", name_of(plan.method));
   }

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "harness/interface/error.hpp"
+#include "harness/interface/flags.hpp"
 #include "harness/interface/pair.hpp"
 
 namespace octocell {
@@ -145,16 +146,24 @@ std::string describe_first_invalid(std::span<const Sphere> spheres) {
                      s.y, s.z, s.r);
 }
 
+void require_all_flags(SceneView scene) {
+  if (scene.flags.empty() || scene.flags.size() == scene.spheres.size()) return;
+  throw InputError(
+      fmt::format("flags of {} spheres for {}", scene.flags.size(), scene.spheres.size()));
+}
+
 SceneStats measure(SceneView scene) {
   if (scene.spheres.size() > kMaxSpheres) {
     throw InputError(fmt::format("{} spheres; this implementation's limit is {}",
                                  scene.spheres.size(), kMaxSpheres));
   }
+  require_all_flags(scene);
   SceneStats stats;
   if (scene.spheres.empty()) return stats;
   const FactsPass pass = measure_facts(scene.spheres);
   if (!pass.valid) throw InputError(describe_first_invalid(scene.spheres));
   stats.facts = pass.facts;
+  stats.some_may_collide = some_may_collide(scene.flags);
   stats.radii = classify_radii(scene, stats.facts);
   stats.sample = take_sample(scene);
   return stats;

@@ -21,6 +21,7 @@ struct RadiusClass {
 /// What the planner knows of a scene.
 struct SceneStats {
   PlanFacts facts;
+  bool some_may_collide = true;    // by their flags; false is certain
   std::vector<RadiusClass> radii;  // the non-empty classes, smallest radius first
   std::vector<Sphere> sample;      // a sixteenth, 64 to kSampleSize, chosen by a fixed hash
 };
@@ -28,8 +29,12 @@ struct SceneStats {
 inline constexpr std::size_t kSampleSize = 1024;
 
 /// One pass over the spheres (two where radii differ).
-/// Throws InputError naming the first sphere that is not finite or has a negative radius.
+/// Throws InputError naming the first sphere that is not finite or has a negative radius, or if
+/// there are flags for some spheres only.
 SceneStats measure(SceneView scene);
+
+/// The last of those alone: one flag word a sphere, or none at all.
+void require_all_flags(SceneView scene);
 
 /// The facts alone, of a part of a scene: stage 1 of the host backends is this, in parallel.
 /// A non-finite coordinate or a negative radius clears `valid`.

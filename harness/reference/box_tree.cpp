@@ -41,8 +41,8 @@ Box box_of(const SphereType& s) {
 template <typename SphereType>
 class BoxTree {
  public:
-  explicit BoxTree(std::span<const SphereType> spheres)
-      : spheres_(spheres), order_(spheres.size()) {
+  BoxTree(std::span<const SphereType> spheres, AllFlags flags)
+      : spheres_(spheres), flags_(flags), order_(spheres.size()) {
     std::iota(order_.begin(), order_.end(), 0U);
     if (!order_.empty()) build(0, 0, order_.size());
   }
@@ -136,10 +136,12 @@ class BoxTree {
   }
 
   void test(std::uint32_t i, std::uint32_t j) {
+    if (!flags_.empty() && !allowed(flags_[i], flags_[j])) return;
     if (overlap(spheres_[i], spheres_[j])) pairs_.push_back(make_pair_of(i, j));
   }
 
   std::span<const SphereType> spheres_;
+  AllFlags flags_;
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;
   std::vector<Pair> pairs_;
@@ -147,12 +149,12 @@ class BoxTree {
 
 }  // namespace
 
-std::vector<Pair> box_tree(std::span<const Sphere> spheres) {
-  return BoxTree<Sphere>(spheres).join();
+std::vector<Pair> box_tree(std::span<const Sphere> spheres, AllFlags flags) {
+  return BoxTree<Sphere>(spheres, flags).join();
 }
 
-std::vector<Pair> box_tree(std::span<const DoubleSphere> spheres) {
-  return BoxTree<DoubleSphere>(spheres).join();
+std::vector<Pair> box_tree(std::span<const DoubleSphere> spheres, AllFlags flags) {
+  return BoxTree<DoubleSphere>(spheres, flags).join();
 }
 
 }  // namespace octocell::reference

@@ -19,15 +19,24 @@ bool overlap(const Sphere& a, const Sphere& b);
 /// The same for float64 spheres, as a file may hold them before they are rounded.
 bool overlap(const DoubleSphere& a, const DoubleSphere& b);
 
+/// Do the flags let the two collide? Not both static, and each in a group of the other's mask.
+bool allowed(Flags a, Flags b);
+
+/// One flag word a sphere; none: every pair that overlaps is in the set.
+using AllFlags = std::span<const Flags>;
+
 /// Every pair tested: O(n^2). Sorted, i < j.
-std::vector<Pair> brute_force(std::span<const Sphere> spheres);
+std::vector<Pair> brute_force(std::span<const Sphere> spheres, AllFlags flags = {});
 
 /// A tree of float64 boxes, split at medians, joined with itself: for large scenes. Sorted, i < j.
-std::vector<Pair> box_tree(std::span<const Sphere> spheres);
-std::vector<Pair> box_tree(std::span<const DoubleSphere> spheres);
+std::vector<Pair> box_tree(std::span<const Sphere> spheres, AllFlags flags = {});
+std::vector<Pair> box_tree(std::span<const DoubleSphere> spheres, AllFlags flags = {});
 
 /// The exact pair set by the method that suits the size.
-std::vector<Pair> exact_pairs(std::span<const Sphere> spheres);
+std::vector<Pair> exact_pairs(std::span<const Sphere> spheres, AllFlags flags = {});
+inline std::vector<Pair> exact_pairs(const Scene& scene) {
+  return exact_pairs(scene.spheres, scene.flags);
+}
 
 /// How an answer differs from the truth.
 struct Comparison {

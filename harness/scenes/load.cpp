@@ -25,7 +25,7 @@ void load_by_extension(InputFile& file, const LoadOptions& options, Scene& scene
   const std::string extension = extension_of(file.path());
   if (extension == ".npy") return load_npy(file, options, scene);
   if (extension == ".csv") {
-    scene.spheres = load_csv(file);
+    load_csv(file, scene);
     return;
   }
   if (extension == ".pqr") {
@@ -33,6 +33,17 @@ void load_by_extension(InputFile& file, const LoadOptions& options, Scene& scene
     return;
   }
   file.refuse(fmt::format("extension {}, expected .npy, .csv or .pqr", quote(extension)));
+}
+
+void add_side_file(Scene& scene, const LoadOptions& options) {
+  if (!options.flags) return;
+  if (options.flags->empty()) throw InputError("cannot read --flags: no file is named");
+  InputFile file(*options.flags);
+  if (!scene.flags.empty()) {
+    file.refuse(fmt::format("{} has flags of its own; only one can count", scene.spec));
+  }
+  scene.flags = load_flags(file, scene.spheres.size());
+  scene.spec += " --flags " + *options.flags;
 }
 
 bool is_generator(std::string_view spec) {
@@ -57,6 +68,7 @@ Scene load_scene(const std::string& path, const LoadOptions& options) {
   scene.spec = path;
   try {
     load_by_extension(file, options, scene);
+    add_side_file(scene, options);
   } catch (const std::bad_alloc&) {
     throw LimitError(fmt::format("{}: not enough memory for its {} bytes", path, file.size()));
   }
@@ -65,7 +77,10 @@ Scene load_scene(const std::string& path, const LoadOptions& options) {
 
 Scene load_or_generate(std::string_view scene_argument, const LoadOptions& options) {
   const std::string argument(scene_argument);
-  return names_a_file(argument) ? load_scene(argument, options) : generate(argument);
+  if (names_a_file(argument)) return load_scene(argument, options);
+  Scene scene = generate(argument);
+  add_side_file(scene, options);
+  return scene;
 }
 
 }  // namespace octocell

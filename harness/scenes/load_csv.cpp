@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // CSV: one sphere a line, `x,y,z,r`. A first line that holds no number is a header and names the
-// four columns, in any order; a header may stand in a comment, as numpy.savetxt writes it. '#'
-// begins a comment; blank lines are skipped.
+// columns, in any order; a header may stand in a comment, as numpy.savetxt writes it. It may also
+// name columns of flags: static (0 or 1), group, mask. '#' begins a comment; blank lines are
+// skipped.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <optional>
+#include <span>
 
 #include "harness/scenes/load_formats.hpp"
 #include "harness/scenes/text.hpp"
@@ -15,8 +18,16 @@
 namespace octocell {
 namespace {
 
-using Columns = std::array<std::size_t, 4>;  // the field that holds x, y, z, r
-constexpr std::string_view kNames = "xyzr";
+constexpr std::size_t kNumbers = 4;
+constexpr std::array<std::string_view, 7> kNames = {"x", "y", "z", "r", "static", "group", "mask"};
+constexpr std::size_t kNoField = kNames.size();
+
+/// The field that holds each of them. The flags' may be none.
+struct Columns {
+  std::array<std::size_t, kNames.size()> field = {0, 1, 2, 3, kNoField, kNoField, kNoField};
+  std::size_t count = kNumbers;
+  [[nodiscard]] bool hold_flags() const { return count > kNumbers; }
+};
 
 struct Line {
   std::string_view text;
@@ -25,8 +36,8 @@ struct Line {
 };
 
 struct Fields {
-  std::array<std::string_view, 4> field;  // the first four
-  std::size_t count = 0;                  // all of them
+  std::array<std::string_view, kNames.size()> field;  // the first seven
+  std::size_t count = 0;                              // all of them
 };
 
 Fields split(std::string_view text) {
@@ -41,20 +52,23 @@ Fields split(std::string_view text) {
   }
 }
 
-/// The columns that a header names, if it names each of the four once.
+/// The columns that a header names, if it names each of the four once, flags at most once, and
+/// nothing else.
 std::optional<Columns> columns_named_in(std::string_view header) {
   const Fields names = split(header);
-  if (names.count != names.field.size()) return std::nullopt;
-  Columns columns = {};
-  unsigned seen = 0;
+  if (names.count < kNumbers || names.count > kNames.size()) return std::nullopt;
+  Columns columns;
+  columns.field.fill(kNoField);
+  columns.count = names.count;
   for (std::size_t k = 0; k < names.count; ++k) {
-    const std::string name = lower_case(names.field[k]);
-    const std::size_t which = name.size() == 1 ? kNames.find(name) : std::string_view::npos;
-    if (which == std::string_view::npos) return std::nullopt;
-    columns[which] = k;
-    seen |= 1U << which;
+    const auto name = std::ranges::find(kNames, lower_case(names.field[k]));
+    if (name == kNames.end()) return std::nullopt;
+    std::size_t& field = columns.field[static_cast<std::size_t>(name - kNames.begin())];
+    if (field != kNoField) return std::nullopt;
+    field = k;
   }
-  return seen == 0xfU ? std::optional(columns) : std::nullopt;
+  const auto numbers = std::span(columns.field).first(kNumbers);
+  return std::ranges::count(numbers, kNoField) == 0 ? std::optional(columns) : std::nullopt;
 }
 
 bool holds_no_number(std::string_view text) {
@@ -74,19 +88,43 @@ float number_in(const InputFile& file, const Line& line, std::string_view field)
                           too_large ? "too large for float32" : "not a number", quote(line.text)));
 }
 
-Sphere sphere_in(const InputFile& file, const Line& line, const Columns& columns) {
+Fields fields_in(const InputFile& file, const Line& line, const Columns& columns) {
   const Fields fields = split(line.text);
-  if (fields.count != fields.field.size()) {
-    file.refuse(line.number,
-                fmt::format("{} field{}, expected 4 with commas between (x,y,z,r): {}",
-                            fields.count, fields.count == 1 ? "" : "s", quote(line.text)));
-  }
-  const auto value = [&](std::size_t k) { return number_in(file, line, fields.field[columns[k]]); };
+  if (fields.count == columns.count) return fields;
+  file.refuse(line.number, fmt::format("{} field{}, expected {} with commas between ({}): {}",
+                                       fields.count, fields.count == 1 ? "" : "s", columns.count,
+                                       columns.hold_flags() ? "as the header has" : "x,y,z,r",
+                                       quote(line.text)));
+}
+
+Sphere sphere_in(const InputFile& file, const Line& line, const Fields& fields,
+                 const Columns& columns) {
+  const auto value = [&](std::size_t k) {
+    return number_in(file, line, fields.field[columns.field[k]]);
+  };
   const Sphere sphere{value(0), value(1), value(2), value(3)};
   if (const std::string flaw = flaw_of(sphere); !flaw.empty()) {
     file.refuse(line.number, fmt::format("{}: {}", flaw, quote(line.text)));
   }
   return sphere;
+}
+
+/// What the columns say; without a column it is as if there were no flags.
+Flags flags_in(const InputFile& file, const Line& line, const Fields& fields,
+               const Columns& columns) {
+  const auto value = [&](std::size_t k, std::uint32_t highest, std::uint32_t if_none) {
+    if (columns.field[k] == kNoField) return if_none;
+    const std::string_view text = fields.field[columns.field[k]];
+    std::uint32_t number = 0;
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error == std::errc{} && stop == text.data() + text.size() && number <= highest) {
+      return number;
+    }
+    file.refuse(line.number, fmt::format("{} is {} (must be {} {}): {}", kNames[k], quote(text),
+                                         highest == 1 ? "0 or" : "a whole number from 0 to",
+                                         highest, quote(line.text)));
+  };
+  return make_flags(value(4, 1, 0) == 1, value(5, kMaxGroup, 1), value(6, kMaxMask, kMaxMask));
 }
 
 class LineReader {
@@ -133,19 +171,19 @@ std::optional<Line> skip_header(const InputFile& file, LineReader& lines, Column
 
 }  // namespace
 
-std::vector<Sphere> load_csv(InputFile& file) {
+void load_csv(InputFile& file, Scene& scene) {
   const std::string text = file.read_all();
   LineReader lines(text);
-  Columns columns = {0, 1, 2, 3};
-  std::vector<Sphere> spheres;
+  Columns columns;
   for (auto line = skip_header(file, lines, columns); line; line = lines.next()) {
     if (line->text.empty()) continue;
-    if (spheres.size() == kMaxSpheres) {
+    if (scene.spheres.size() == kMaxSpheres) {
       file.refuse(line->number, fmt::format("more than {} spheres", kMaxSpheres));
     }
-    spheres.push_back(sphere_in(file, *line, columns));
+    const Fields fields = fields_in(file, *line, columns);
+    scene.spheres.push_back(sphere_in(file, *line, fields, columns));
+    if (columns.hold_flags()) scene.flags.push_back(flags_in(file, *line, fields, columns));
   }
-  return spheres;
 }
 
 }  // namespace octocell

@@ -9,8 +9,11 @@
 
 namespace octocell {
 
-std::vector<Sphere> load_csv(InputFile& file);
+void load_csv(InputFile& file, Scene& scene);
 std::vector<Sphere> load_pqr(InputFile& file);
 void load_npy(InputFile& file, const LoadOptions& options, Scene& scene);
+
+/// The flags of so many spheres, from a side file.
+std::vector<Flags> load_flags(InputFile& file, std::size_t sphere_count);
 
 }  // namespace octocell

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "harness/interface/error.hpp"
+#include "harness/interface/flags.hpp"
 #include "harness/scenes/portable_math.hpp"
 
 namespace octocell {
@@ -90,13 +91,19 @@ void step_gravity(World& world) {
   }
 }
 
-std::vector<Sphere> snapshot(const World& world, const std::vector<Sphere>& radii) {
+/// The bodies of static spheres move unseen, so that those of others draw the same numbers.
+std::vector<Sphere> snapshot(const World& world, const std::vector<Sphere>& start,
+                             std::span<const Flags> flags) {
   std::vector<Sphere> spheres;
-  spheres.reserve(radii.size());
-  for (std::size_t i = 0; i < radii.size(); ++i) {
+  spheres.reserve(start.size());
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    if (!flags.empty() && is_static(flags[i])) {
+      spheres.push_back(start[i]);
+      continue;
+    }
     const double* p = world.bodies[i].position;
     spheres.push_back(
-        {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]), radii[i].r});
+        {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]), start[i].r});
   }
   return spheres;
 }
@@ -110,7 +117,8 @@ Motion motion_named(std::string_view name) {
       fmt::format("unknown motion '{}'; known: {}", name, fmt::join(kMotionNames, ", ")));
 }
 
-Frames move(const std::vector<Sphere>& start, Motion motion, int count, std::uint64_t seed) {
+Frames move(const std::vector<Sphere>& start, Motion motion, int count, std::uint64_t seed,
+            std::span<const Flags> flags) {
   World world = world_of(start);
   Random random(seed);
   Frames frames = {start};
@@ -126,7 +134,7 @@ Frames move(const std::vector<Sphere>& start, Motion motion, int count, std::uin
         step_gravity(world);
         break;
     }
-    frames.push_back(snapshot(world, start));
+    frames.push_back(snapshot(world, start, flags));
   }
   return frames;
 }

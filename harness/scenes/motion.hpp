@@ -27,8 +27,10 @@ using Frames = std::vector<std::vector<Sphere>>;
 ///   brownian   independent uniform steps; walls of the starting box reflect
 ///   free_fall  constant acceleration down the z axis; the floor returns half of the speed
 ///   gravity    constant acceleration towards the middle of the starting box
-/// Spheres pass through one another: a broad phase reports pairs, it does not resolve them.
-Frames move(const std::vector<Sphere>& start, Motion motion, int count, std::uint64_t seed);
+/// Spheres pass through one another: a broad phase reports pairs, it does not resolve them. One
+/// that is static stays where it is, and the others move as if there were no flags.
+Frames move(const std::vector<Sphere>& start, Motion motion, int count, std::uint64_t seed,
+            std::span<const Flags> flags = {});
 
 /// Every *.npy of a folder, in the order of their names. Throws InputError if there is none, or if
 /// the frames hold different numbers of spheres.

@@ -174,10 +174,10 @@ NpyHeader read_npy_header(InputFile& file) {
   return header;
 }
 
-std::string npy_header_bytes(std::string_view descr, std::size_t rows, std::size_t columns) {
+std::string npy_header_bytes(std::string_view descr, std::string_view shape) {
   constexpr std::size_t kAlignment = 64;  // so that the numbers can be mapped into memory
-  std::string dictionary = fmt::format(
-      "{{'descr': '{}', 'fortran_order': False, 'shape': ({}, {}), }}", descr, rows, columns);
+  std::string dictionary =
+      fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': {}, }}", descr, shape);
   const std::size_t begin = kMagic.size() + kVersionBytes + 2;
   const std::size_t end =
       (begin + dictionary.size() + 1 + kAlignment - 1) / kAlignment * kAlignment;

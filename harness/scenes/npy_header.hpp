@@ -25,7 +25,7 @@ struct NpyHeader {
 /// Reads up to the first number. Throws InputError: what was found, and what was expected.
 NpyHeader read_npy_header(InputFile& file);
 
-/// The bytes before the numbers of a table in C order.
-std::string npy_header_bytes(std::string_view descr, std::size_t rows, std::size_t columns);
+/// The bytes before the numbers of an array in C order; `shape` as Python writes it: "(10, 4)".
+std::string npy_header_bytes(std::string_view descr, std::string_view shape);
 
 }  // namespace octocell

@@ -9,7 +9,9 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <deque>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "harness/interface/error.hpp"
@@ -18,7 +20,7 @@
 namespace octocell {
 namespace {
 
-using Parts = std::initializer_list<std::span<const std::byte>>;
+using Parts = std::span<const std::span<const std::byte>>;
 
 [[noreturn]] void refuse(const std::string& path, int error) {
   throw InputError(fmt::format("cannot write {}: {}", path, std::strerror(error)));
@@ -98,32 +100,60 @@ std::string resolve_link(const std::string& path) {
   return error ? path : resolved.string();
 }
 
-void replace(const std::string& path, const struct stat* existing, Parts parts) {
-  const DeferredSignals until_no_temporary_is_left;
-  const std::string target = resolve_link(path);
-  OutputFile file = create_beside(path, target);
-  write_parts(path, file, parts);
-  if (existing != nullptr && ::fchmod(file.descriptor(), existing->st_mode & 07777) != 0) {
-    refuse(path, errno);
+/// A complete file that waits beside its target.
+class Replacement {
+ public:
+  Replacement(const FileToWrite& to, const struct stat* existing)
+      : path_(to.path), target_(resolve_link(to.path)), file_(create_beside(to.path, target_)) {
+    write_parts(path_, file_, to.parts);
+    if (existing != nullptr && ::fchmod(file_.descriptor(), existing->st_mode & 07777) != 0) {
+      refuse(path_, errno);
+    }
+    if (const int error = file_.sync()) refuse(path_, error);
+    if (const int error = file_.close()) refuse(path_, error);
   }
-  if (const int error = file.sync()) refuse(path, error);
-  if (const int error = file.close()) refuse(path, error);
-  if (const int error = file.rename_to(target)) refuse(path, error);
+  void take_effect() {
+    if (const int error = file_.rename_to(target_)) refuse(path_, error);
+  }
+
+ private:
+  std::string path_;
+  std::string target_;
+  OutputFile file_;
+};
+
+/// What stands there, if anything does. Throws for a folder, and for a file that may not be
+/// written: rename() would replace one that its owner made read-only.
+std::optional<struct stat> what_stands_at(const std::string& path) {
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) != 0) {
+    if (errno != ENOENT) refuse(path, errno);
+    return std::nullopt;
+  }
+  if (S_ISDIR(status.st_mode)) refuse(path, EISDIR);
+  if (S_ISREG(status.st_mode) && ::access(path.c_str(), W_OK) != 0) refuse(path, errno);
+  return status;
 }
 
 }  // namespace
 
-void write_whole_file(const std::string& path, Parts parts) {
-  struct stat status = {};
-  if (::stat(path.c_str(), &status) != 0) {
-    if (errno != ENOENT) refuse(path, errno);
-    return replace(path, nullptr, parts);
+void write_whole_files(std::span<const FileToWrite> files) {
+  std::vector<std::pair<const FileToWrite*, std::optional<struct stat>>> to_replace;
+  for (const FileToWrite& file : files) {
+    const std::optional<struct stat> status = what_stands_at(file.path);
+    if (!status || S_ISREG(status->st_mode)) {
+      to_replace.emplace_back(&file, status);
+    } else {
+      write_directly(file.path, file.parts);
+    }
   }
-  if (S_ISDIR(status.st_mode)) refuse(path, EISDIR);
-  if (!S_ISREG(status.st_mode)) return write_directly(path, parts);
-  // rename() would replace a file that its owner made read-only.
-  if (::access(path.c_str(), W_OK) != 0) refuse(path, errno);
-  replace(path, &status, parts);
+  if (to_replace.empty()) return;
+  const DeferredSignals until_no_temporary_is_left;
+  std::deque<Replacement> replacements;
+  for (const auto& [file, status] : to_replace) {
+    replacements.emplace_back(*file, status ? &*status : nullptr);
+  }
+  for (Replacement& replacement : replacements) replacement.take_effect();
 }
 
 }  // namespace octocell

@@ -81,6 +81,8 @@ void Parameters::assign(const SceneInfo& scene, std::string_view assignment,
 
 double Parameters::real(std::string_view name) const { return values_.at(index_of(infos_, name)); }
 
+bool Parameters::has(std::string_view name) const { return index_of(infos_, name) < infos_.size(); }
+
 std::uint64_t Parameters::whole(std::string_view name) const {
   return static_cast<std::uint64_t>(real(name));
 }
@@ -88,7 +90,8 @@ std::uint64_t Parameters::whole(std::string_view name) const {
 std::string Parameters::spelt_out() const {
   std::string text;
   for (std::size_t k = 0; k < infos_.size(); ++k) {
-    text += fmt::format("{}{}={}", k == 0 ? "" : ",", infos_[k].name, values_[k]);
+    if (!infos_[k].spelt_if_preset && values_[k] == infos_[k].preset) continue;
+    text += fmt::format("{}{}={}", text.empty() ? "" : ",", infos_[k].name, values_[k]);
   }
   return text;
 }

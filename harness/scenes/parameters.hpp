@@ -23,8 +23,9 @@ class Parameters {
   /// `name` is in the generator's table.
   [[nodiscard]] double real(std::string_view name) const;
   [[nodiscard]] std::uint64_t whole(std::string_view name) const;
+  [[nodiscard]] bool has(std::string_view name) const;
 
-  /// `name=value,...` with all values; parsing it gives the same values.
+  /// `name=value,...`; parsing it gives the same values.
   [[nodiscard]] std::string spelt_out() const;
 
  private:

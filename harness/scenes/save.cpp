@@ -5,8 +5,10 @@
 
 #include <bit>
 #include <filesystem>
+#include <iterator>
 
 #include "harness/interface/error.hpp"
+#include "harness/interface/flags.hpp"
 #include "harness/scenes/npy_header.hpp"
 #include "harness/scenes/output_file.hpp"
 #include "harness/scenes/text.hpp"
@@ -17,30 +19,88 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "rows are written as they lie in memory");
 static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
 
-void check_name(const std::string& path) {
+std::string ending_of(const std::string& path) {
+  return lower_case(std::filesystem::path(path).extension().string());
+}
+
+bool is_csv(const std::string& path) { return ending_of(path) == ".csv"; }
+
+enum class Csv : bool { never, possible };
+
+void check_name(const std::string& path, Csv csv) {
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::file_type type = fs::status(path, error).type();
   if (type != fs::file_type::not_found && type != fs::file_type::regular) return;
-  if (lower_case(fs::path(path).extension().string()) == ".npy") return;
+  if (ending_of(path) == ".npy" || (csv == Csv::possible && is_csv(path))) return;
   throw InputError(
-      fmt::format("cannot write {}: the name must end in .npy, the format is NPY", path));
+      fmt::format("cannot write {}: the name must end in .npy{}", path,
+                  csv == Csv::possible ? " or .csv, which say the format" : ", the format is NPY"));
 }
 
-void save_table(const std::string& path, const std::string& header,
-                std::span<const std::byte> rows) {
-  check_name(path);
-  write_whole_file(path, {std::as_bytes(std::span(header)), rows});
+void check_flags(const std::string& path, SceneView scene, const std::string& flags_path) {
+  if (flags_path.empty() && !scene.flags.empty() && !is_csv(path)) {
+    throw InputError(fmt::format(
+        "cannot write {}: NPY has no room for the scene's flags; --flags-output names a file for "
+        "them, and .csv has columns",
+        path));
+  }
+  namespace fs = std::filesystem;
+  if (!flags_path.empty() &&
+      fs::path(path).lexically_normal() == fs::path(flags_path).lexically_normal()) {
+    throw InputError(fmt::format("cannot write {}: spheres and flags need a file each", path));
+  }
+}
+
+std::string table_header(std::string_view descr, std::size_t rows, std::size_t columns) {
+  return npy_header_bytes(descr, fmt::format("({}, {})", rows, columns));
+}
+
+/// Shortest decimals that are read as the same floats.
+std::string csv_of(std::span<const Sphere> spheres, std::span<const Flags> flags) {
+  fmt::memory_buffer text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "x,y,z,r{}\n", flags.empty() ? "" : ",static,group,mask");
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    const Sphere& s = spheres[i];
+    fmt::format_to(out, "{},{},{},{}", s.x, s.y, s.z, s.r);
+    if (!flags.empty()) {
+      fmt::format_to(out, ",{},{},{}", is_static(flags[i]) ? 1 : 0, group_of(flags[i]),
+                     mask_of(flags[i]));
+    }
+    text.push_back('\n');
+  }
+  return fmt::to_string(text);
 }
 
 }  // namespace
 
-void save_scene(const std::string& path, std::span<const Sphere> spheres) {
-  save_table(path, npy_header_bytes("<f4", spheres.size(), 4), std::as_bytes(spheres));
+void save_scene(const std::string& path, SceneView scene, const std::string& flags_path) {
+  check_name(path, Csv::possible);
+  check_flags(path, scene, flags_path);
+  std::vector<FileToWrite> files;
+  const std::string begin =
+      is_csv(path)
+          ? csv_of(scene.spheres, flags_path.empty() ? scene.flags : std::span<const Flags>())
+          : table_header("<f4", scene.spheres.size(), 4);
+  files.push_back({path, {std::as_bytes(std::span(begin))}});
+  if (!is_csv(path)) files.back().parts.push_back(std::as_bytes(scene.spheres));
+  if (flags_path.empty()) return write_whole_files(files);
+
+  check_name(flags_path, Csv::never);
+  const std::string header = npy_header_bytes("<u4", fmt::format("({},)", scene.spheres.size()));
+  const std::vector<Flags> none(scene.flags.empty() ? scene.spheres.size() : 0);
+  files.push_back(
+      {flags_path,
+       {std::as_bytes(std::span(header)),
+        std::as_bytes(scene.flags.empty() ? std::span<const Flags>(none) : scene.flags)}});
+  write_whole_files(files);
 }
 
 void save_pairs(const std::string& path, std::span<const Pair> pairs) {
-  save_table(path, npy_header_bytes("<u4", pairs.size(), 2), std::as_bytes(pairs));
+  check_name(path, Csv::never);
+  const std::string header = table_header("<u4", pairs.size(), 2);
+  write_whole_file(path, {std::as_bytes(std::span(header)), std::as_bytes(pairs)});
 }
 
 }  // namespace octocell

@@ -9,13 +9,19 @@
 
 namespace octocell {
 
-/// Both write NPY, version 1.0, C order, little-endian: float32 (n, 4) or uint32 (m, 2).
+/// Both write NPY, version 1.0, C order, little-endian: float32 (n, 4) or uint32 (m, 2). A scene
+/// whose name ends in .csv becomes CSV, and has columns for its flags if it has any. `flags_path`
+/// names another NPY for them, uint32 (n,); NPY without it cannot hold a scene with flags.
 ///
 /// A regular file appears whole or not at all: it is written beside the target, synced, and
-/// renamed; after a failure an existing target is as it was, and nothing else is left. Devices
-/// and pipes (/dev/stdout) are written to directly. Throws InputError with path and reason; the
-/// name of a regular file must end in .npy, so that it can be loaded again.
-void save_scene(const std::string& path, std::span<const Sphere> spheres);
+/// renamed (both, where there are two); after a failure an existing target is as it was, and
+/// nothing else is left. Devices and pipes (/dev/stdout) are written to directly. Throws InputError
+/// with path and reason; the name of a regular file must say its format, so that it can be loaded
+/// again.
+void save_scene(const std::string& path, SceneView scene, const std::string& flags_path = {});
+inline void save_scene(const std::string& path, std::span<const Sphere> spheres) {
+  save_scene(path, SceneView{spheres});
+}
 void save_pairs(const std::string& path, std::span<const Pair> pairs);
 
 }  // namespace octocell

@@ -8,6 +8,7 @@
 
 #include "harness/interface/error.hpp"
 #include "harness/scenes/families.hpp"
+#include "harness/scenes/flag_parameters.hpp"
 #include "harness/scenes/parameters.hpp"
 #include "harness/scenes/text.hpp"
 
@@ -92,7 +93,10 @@ std::span<const SceneInfo> scenes() { return kScenes; }
 
 Scene generate(std::string_view spec) {
   const std::size_t colon = spec.find(':');
-  const SceneInfo& info = scene_named(spec.substr(0, colon));
+  SceneInfo info = scene_named(spec.substr(0, colon));
+  std::vector<ParameterInfo> all(info.parameters.begin(), info.parameters.end());
+  all.insert(all.end(), flag_parameters().begin(), flag_parameters().end());
+  info.parameters = all;
   const Parameters parameters =
       colon == std::string_view::npos ? Parameters(info) : Parameters(info, spec.substr(colon + 1));
   Scene scene;
@@ -100,6 +104,7 @@ Scene generate(std::string_view spec) {
   scene.spec = fmt::format("{}:{}", info.name, parameters.spelt_out());
   try {
     scene.spheres = info.make(parameters);
+    scene.flags = make_scene_flags(parameters, scene.spheres.size());
   } catch (const std::bad_alloc&) {
     throw LimitError(fmt::format("scene {}: not enough memory for the spheres", scene.spec));
   }

@@ -24,13 +24,15 @@ struct Scene {
   std::string name;  // of the generator, or the file's name without folder and extension
   std::string spec;  // gives the same scene again: every parameter spelt out, or the file's path
   std::vector<Sphere> spheres;
+  std::vector<Flags> flags;  // one a sphere, or none
   /// What the file held before it was rounded to float32; only after LoadOptions::round_input.
   std::optional<std::vector<DoubleSphere>> unrounded;
 
-  [[nodiscard]] SceneView view() const { return {spheres}; }
+  [[nodiscard]] SceneView view() const { return {spheres, flags}; }
 };
 
 struct LoadOptions {
+  std::optional<std::string> flags = {};  // the path of a side file with flags (NPY)
   bool round_input = false;  // accept float64 arrays and round them to float32, to nearest even
 };
 
@@ -43,6 +45,7 @@ struct ParameterInfo {
   double lowest;
   double highest;
   Kind kind;
+  bool spelt_if_preset = true;  // in Scene::spec
 };
 
 class Parameters;
@@ -56,6 +59,9 @@ struct SceneInfo {
 
 /// The one table of generators.
 std::span<const SceneInfo> scenes();
+
+/// What each of them takes besides: static, groups.
+std::span<const ParameterInfo> flag_parameters();
 
 /// `spec` is `name` or `name:parameter=value,...`. The same spec gives the same bits on every
 /// machine, with every compiler and every flag (but not with -ffast-math, which is refused).

@@ -4,6 +4,7 @@
 // Cost: each candidate is looked at twice where its sphere finds something; five rows are searched
 //       for a sphere, and nine for each coarser level.
 // Idea: count, scan, write, one work item a sphere. Shell says which runs it meets.
+#include "harness/interface/flags.hpp"
 #include "impl_thrust/found_pairs.cuh"
 #include "impl_thrust/half_shell/shell.cuh"
 
@@ -14,6 +15,7 @@ namespace {
 struct ShellTest {
   Shell shell;
   const Object* objects;
+  const Flags* flags;  // none: every pair may collide
   Band band;
 
   template <typename OnSure, typename OnDoubt>
@@ -25,6 +27,7 @@ struct ShellTest {
         const Sphere q = shell.members[j];
         if (!band_may_overlap(p, q)) continue;
         const Pair pair = make_pair_of(a, objects[j]);
+        if (flags != nullptr && !may_collide(flags[pair.i], flags[pair.j])) continue;
         if (is_sure(band, p, q)) {
           on_sure(pair);
         } else {
@@ -39,7 +42,7 @@ struct ShellTest {
 
 template <typename System>
 void pair_tests(Workspace<System>& w) {
-  count_scan_write(w, ShellTest{shell_of(w), w.objects.data(), w.plan.band});
+  count_scan_write(w, ShellTest{shell_of(w), w.objects.data(), w.flags, w.plan.band});
 }
 
 OCTOCELL_FOR_BOTH_SYSTEMS(pair_tests);
