@@ -15,7 +15,7 @@ export OCTOCELL_CUDA
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build test bench bench-full bench-sort report readme sanitize cuda-toolkit bundle clean
+.PHONY: help setup build test compilers bench bench-full bench-sort report readme sanitize cuda-toolkit bundle clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -31,6 +31,9 @@ test: build ## Run all tests
 	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j "$$(nproc)"
 	@$(PYTHON) -m octocell_report readme $(PUBLISHED) README.md --check
 	@OCTOCELL_BIN=$(BUILD)/octocell $(PYTHON) -m pytest -q
+
+compilers: setup ## One checksum from g++ and clang++ (if there) at -O0 to -O3, with and without FMA (10 minutes)
+	@$(PYTHON) tests/hazards/compilers.py --jobs "$$(nproc)" --build $(BUILD)/hazards -o reports/out/compilers.json
 
 bench: build ## Time our CPU backend beside FCL and Bullet (minutes), check every row, draw the report
 	@$(BUILD)/octocell bench --preset quick -o $(RESULT)
