@@ -17,7 +17,7 @@ export OCTOCELL_CUDA
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build test compilers fuzz bench bench-full bench-sort report readme sanitize cuda-toolkit bundle clean
+.PHONY: help setup build test compilers fuzz stress stress-full bench bench-full bench-sort report readme sanitize cuda-toolkit bundle clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -33,6 +33,15 @@ test: build ## Run all tests
 	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j "$$(nproc)"
 	@$(PYTHON) -m octocell_report readme $(PUBLISHED) README.md --check
 	@OCTOCELL_BIN=$(BUILD)/octocell $(PYTHON) -m pytest -q
+
+stress: build ## Every implementation on the scenes of the stress catalogue (minutes), and the compilers
+	@OMP_WAIT_POLICY=passive $(BUILD)/octocell stress -o reports/out/stress.json
+	@$(MAKE) --no-print-directory compilers
+
+stress-full: build ## The same on large scenes (hours), with many more cases of the property tests
+	@OMP_WAIT_POLICY=passive $(BUILD)/octocell stress --size full --timeout 120 -o reports/out/stress.json
+	@RC_PARAMS="max_success=2000000 max_discard_ratio=100" ctest --test-dir $(BUILD) -R 'Properties' --timeout 7200 --output-on-failure
+	@$(MAKE) --no-print-directory compilers
 
 compilers: setup ## One checksum from g++ and clang++ (if there) at -O0 to -O3, with and without FMA (10 minutes)
 	@$(PYTHON) tests/hazards/compilers.py --jobs "$$(nproc)" --build $(BUILD)/hazards -o reports/out/compilers.json
