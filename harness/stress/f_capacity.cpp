@@ -81,7 +81,7 @@ constexpr Entry kCapacity[] = {
      {500, 5000, 100000},
      buffers,
      Ask::buffers},
-    {"F32", "0, 1, 2 spheres, and around powers of two", {1025, 65537, (1 << 24) + 1}, sizes},
+    {"F32", "0, 1, 2 spheres, and around powers of two", {1025, 4097, (1 << 24) + 1}, sizes},
     {"F33",
      "more than 2^31 and 2^32 pairs, counted",
      {1000, 65537, 92683},

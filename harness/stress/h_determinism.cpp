@@ -14,7 +14,7 @@ std::vector<Case> repetition(std::size_t n) {
 constexpr Entry kDeterminism[] = {
     {"H41",
      "100 runs on 1, 2, 3, 7 and all threads",
-     {2000, 20000, 100000},
+     {2000, 5000, 100000},
      repetition,
      Ask::repetition},
     {.id = "H42",

@@ -157,8 +157,9 @@ Verdict judge_other_scenes(const Trial& trial) {
   return compared(trial, find(trial, create, options));
 }
 
-/// New finders and old ones, on every number of threads.
+/// New finders, on every number of threads. A library, of one thread, is asked once.
 Verdict judge_repetition(const Trial& trial) {
+  if (trial.how.is_baseline()) return judge_pairs(trial);
   std::vector<int> threads = {1};
   if (trial.how.backend->threaded) threads = {1, 2, 3, 7, trial.limits.threads};
   Verdict verdict;

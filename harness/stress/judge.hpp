@@ -11,9 +11,10 @@
 
 namespace octocell::stress {
 
-enum class Status : std::uint8_t { exact, wrong, refused, skipped, crashed, late };
-inline constexpr std::array<std::string_view, 6> kStatusNames = {"exact",   "wrong",   "refused",
-                                                                 "skipped", "crashed", "late"};
+/// From best to worst.
+enum class Status : std::uint8_t { exact, skipped, refused, late, crashed, wrong };
+inline constexpr std::array<std::string_view, 6> kStatusNames = {"exact", "skipped", "refused",
+                                                                 "late",  "crashed", "wrong"};
 constexpr std::string_view name_of(Status s) { return kStatusNames[static_cast<std::size_t>(s)]; }
 
 struct Verdict {

@@ -19,8 +19,8 @@ void add(Row& row, const Case& scene, const Verdict& verdict) {
   row.spheres = std::max<std::uint64_t>(row.spheres, scene.spheres.size());
   row.pairs += verdict.pairs;
   row.candidates += verdict.candidates;
-  const bool first = row.worst_case.empty() || verdict.status == Status::wrong;
-  if (verdict.status == Status::exact || !first || row.with(Status::wrong) > 1) return;
+  if (verdict.status <= row.worst) return;
+  row.worst = verdict.status;
   row.worst_case = scene.name;
   row.reason = verdict.reason;
 }
@@ -31,10 +31,7 @@ bool is_late(const Row& row) { return row.with(Status::late) > 0; }
 }  // namespace
 
 Status Row::status() const {
-  for (const Status bad : {Status::wrong, Status::crashed, Status::late, Status::refused}) {
-    if (with(bad) > 0) return bad;
-  }
-  return with(Status::exact) > 0 ? Status::exact : Status::skipped;
+  return worst == Status::skipped && with(Status::exact) > 0 ? Status::exact : worst;
 }
 
 bool Row::failed() const {

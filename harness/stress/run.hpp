@@ -18,11 +18,12 @@ struct Row {
   std::uint64_t pairs = 0;                                    // found, in all cases
   std::uint64_t candidates = 0;
   double seconds = 0.0;
-  std::string worst_case = {};  // the first that is not exact, and why
+  Status worst = Status::exact;  // of all cases
+  std::string worst_case = {};   // the first that ended so, and why
   std::string reason = {};
 
   [[nodiscard]] std::uint64_t with(Status s) const { return cases[static_cast<std::size_t>(s)]; }
-  /// The worst that happened: wrong, crashed, late, then refused; skipped only if all were.
+  /// The worst that happened; but skipped only if all were.
   [[nodiscard]] Status status() const;
   /// A promise of ours is broken; what libraries do is recorded and no failure.
   [[nodiscard]] bool failed() const;
