@@ -52,6 +52,7 @@ std::vector<Row> run_entry(const Entry& entry, Size size, std::span<const Implem
       }
       const auto begin = std::chrono::steady_clock::now();
       const Verdict verdict = judge(row.how, entry.ask, scene, truth, limits);
+      if (stop()) return rows;  // Ctrl-C ends a child, too: that is no crash of its
       row.seconds +=
           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       add(row, scene, verdict);
