@@ -5,6 +5,8 @@ PRESET ?= release
 VENV := .venv
 PYTHON := $(VENV)/bin/python
 RESULT ?= reports/out/bench.json
+# How long `make fuzz` runs each of its targets.
+FUZZ_SECONDS ?= 300
 PUBLISHED := reports/results/epyc-zen5-2core/quick.json
 # Machine code for the common GPUs from Turing on; the last entry's PTX serves what is newer.
 GPUS ?= 75-real 80-real 86-real 89-real 90
@@ -15,7 +17,7 @@ export OCTOCELL_CUDA
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build test bench bench-full bench-sort report readme sanitize cuda-toolkit bundle clean
+.PHONY: help setup build test compilers fuzz stress stress-full bench bench-full bench-sort report readme sanitize cuda-toolkit bundle clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -31,6 +33,28 @@ test: build ## Run all tests
 	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j "$$(nproc)"
 	@$(PYTHON) -m octocell_report readme $(PUBLISHED) README.md --check
 	@OCTOCELL_BIN=$(BUILD)/octocell $(PYTHON) -m pytest -q
+
+stress: build ## Every implementation on the scenes of the stress catalogue (minutes), and the compilers
+	@OMP_WAIT_POLICY=passive $(BUILD)/octocell stress -o reports/out/stress.json
+	@$(MAKE) --no-print-directory compilers
+
+stress-full: build ## The same on large scenes (hours), with many more cases of the property tests
+	@OMP_WAIT_POLICY=passive $(BUILD)/octocell stress --size full --timeout 120 -o reports/out/stress.json
+	@RC_PARAMS="max_success=2000000 max_discard_ratio=100" ctest --test-dir $(BUILD) -R 'Properties' --timeout 7200 --output-on-failure
+	@$(MAKE) --no-print-directory compilers
+
+compilers: setup ## One checksum from g++ and clang++ (if there) at -O0 to -O3, with and without FMA (10 minutes)
+	@$(PYTHON) tests/hazards/compilers.py --jobs "$$(nproc)" --build $(BUILD)/hazards -o reports/out/compilers.json
+
+fuzz: setup ## Feed random bytes to the backends and the file readers (FUZZ_SECONDS=300 each; installs clang)
+	@scripts/setup_fuzz.sh
+	@cmake --preset fuzz >/dev/null && cmake --build --preset fuzz
+	@for what in scenes files; do \
+	  mkdir -p build-fuzz/corpus/$$what build-fuzz/found && \
+	  OMP_NUM_THREADS=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 build-fuzz/tests/fuzz_$$what -max_len=600 -print_final_stats=1 \
+	    -max_total_time=$(FUZZ_SECONDS) -artifact_prefix=build-fuzz/found/$$what- \
+	    build-fuzz/corpus/$$what tests/fuzz/corpus/$$what || exit 1; \
+	done
 
 bench: build ## Time our CPU backend beside FCL and Bullet (minutes), check every row, draw the report
 	@$(BUILD)/octocell bench --preset quick -o $(RESULT)

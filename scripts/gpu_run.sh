@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # On a machine with a GPU, from an unpacked bundle: what proves it and what is published.
-# gpu_run.sh STEP..., steps being tests, check, sanitizers, sort, bench, large (default: tests check).
+# gpu_run.sh STEP..., steps being tests, check, stress, sanitizers, sort, bench, large (default: tests check).
 # OUT names the folder for logs and JSON (default: out, beside this file).
 # shellcheck disable=SC2317  # steps are called by their names
 set -uo pipefail
@@ -38,6 +38,11 @@ check() {
     quietly "check_large_$backend" "$octocell" check --backend "$backend" gas:n=1e6 dense:n=3e5 poly:n=1e6 \
       cluster:n=1e6 lattice:n=1e6,shuffle=1 shifted:n=1e6 giant:n=3e5 discs:n=3e5 identical:n=5e3 chain:n=1e6
   done
+}
+
+stress() {  # SIZE: slice, quick (minutes) or full (hours)
+  export OMP_WAIT_POLICY=passive
+  quietly stress "$octocell" stress --backend ours --size "${SIZE:-quick}" -o "$OUT/stress.json"
 }
 
 sanitizers() {  # small scenes: the tools make everything hundreds of times slower

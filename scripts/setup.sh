@@ -51,6 +51,16 @@ install_packages() {
     apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
+# Not in every distribution; without it the property tests are left out.
+install_rapidcheck() {
+  is_installed librapidcheck-dev && return
+  apt-cache show librapidcheck-dev >/dev/null 2>&1 || return 0
+  say "installing librapidcheck-dev"
+  as_root env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends librapidcheck-dev >/dev/null ||
+    say "librapidcheck-dev could not be installed: property tests are left out"
+}
+
 # The environment is made again when the pins change.
 make_python_environment() {
   local wanted
@@ -81,6 +91,7 @@ import_frames() {  # TRAJECTORY, FOLDER, options of octocell-import ...
 }
 
 install_packages
+install_rapidcheck
 has_nvcc || ! wants_nvcc || scripts/cuda_toolkit.sh
 make_python_environment
 .venv/bin/python scripts/fetch_data.py

@@ -63,6 +63,7 @@ int parse_and_run(int argc, char** argv) {
   cli::add_generate(app, command);
   cli::add_bench(app, command);
   cli::add_bench_sort(app, command);
+  cli::add_stress(app, command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked_for_help) {

@@ -2,9 +2,7 @@
 // One source for host and device: the predicate and the cell formula are compiled by both.
 #pragma once
 
-#ifdef __FAST_MATH__
-#error "Octocell's answers are exact; -ffast-math would void the proofs in docs/exactness.md."
-#endif
+#include "harness/interface/ieee754.hpp"
 
 #ifdef __CUDACC__
 #define OCTOCELL_HD __host__ __device__ inline

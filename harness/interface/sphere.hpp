@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "harness/interface/ieee754.hpp"
+
 namespace octocell {
 
 /// One sphere, in the scene's own unit of length. Valid: all four finite, r >= 0.

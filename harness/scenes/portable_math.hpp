@@ -4,15 +4,11 @@
 // library differ in their last bits between machines, so no generator may call them.
 #pragma once
 
-#include <cfloat>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 
-#if defined(__FAST_MATH__)
-#error "scenes would differ from machine to machine: compile without -ffast-math"
-#endif
-static_assert(FLT_EVAL_METHOD == 0, "float and double must be evaluated in their own precision");
+#include "harness/interface/ieee754.hpp"
 
 namespace octocell {
 

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// RapidCheck's own default is 100 cases, new ones each time. Here many, and the same for everyone;
+// RC_PARAMS="max_success=1000000" in the environment tries others.
+#include <cstdlib>
+
+namespace {
+
+[[maybe_unused]] const int kParametersSet =
+    setenv("RC_PARAMS", "seed=1 max_success=50000 max_discard_ratio=100", /*replace=*/0);
+
+}  // namespace

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// How much of the predicate's margins rounding can use up. Random numbers seldom add up all their
+// roundings in one direction, so they leave wrong margins unnoticed; here each pair climbs: a step
+// is kept if it brings a wrong verdict nearer.
+#include <gtest/gtest.h>
+
+// needs the above
+#include <rapidcheck/gtest.h>
+
+#include "harness/interface/predicate.hpp"
+#include "tests/properties/generators.hpp"
+
+namespace octocell {
+namespace {
+
+using properties::Two;
+
+/// D / R, to 2^-60: the climb is after roundings of 2^-24 and 2^-53.
+long double true_ratio(const Two& two) {
+  const auto square = [](float p, float q) {
+    const long double d = static_cast<long double>(p) - q;
+    return d * d;
+  };
+  const long double reach = static_cast<long double>(two.a.r) + two.b.r;
+  return (square(two.a.x, two.b.x) + square(two.a.y, two.b.y) + square(two.a.z, two.b.z)) /
+         (reach * reach);
+}
+
+template <Band band>
+float grown_reach2(const Two& two) {
+  const float reach = band_radius<band>(two.a.r) + band_radius<band>(two.b.r);
+  return reach * reach;
+}
+
+/// Above 1, a pair that overlaps could be called apart: D^ / H must not exceed D / R.
+template <Band band>
+long double danger_of_a_loss(const Two& two) {
+  return band_distance2(two.a, two.b) / (grown_reach2<band>(two) * true_ratio(two));
+}
+
+/// Above 1, a pair that is apart could be called sure: D^ / fl(L H) must not be below D / R.
+template <Band band>
+long double danger_of_a_false_pair(const Two& two) {
+  return grown_reach2<band>(two) * kSureFraction * true_ratio(two) / band_distance2(two.a, two.b);
+}
+
+/// Above 1, float64 could be certain and wrong: its error, in units of the bound it grants itself.
+long double danger_of_float64(const Two& two) {
+  const double dx = static_cast<double>(two.a.x) - two.b.x;
+  const double dy = static_cast<double>(two.a.y) - two.b.y;
+  const double dz = static_cast<double>(two.a.z) - two.b.z;
+  const double reach = static_cast<double>(two.a.r) + two.b.r;
+  const double reach2 = reach * reach;
+  const long double ratio = static_cast<long double>(dx * dx + dy * dy + dz * dz) / reach2;
+  return std::abs(ratio / true_ratio(two) - 1.0L) / (10.0L * 0x1p-53L);
+}
+
+using Danger = long double (*)(const Two&);
+
+/// Knuth's MMIX generator: a climb can be repeated from its seed.
+class Steps {
+ public:
+  explicit Steps(std::uint64_t seed) : state_(seed) {}
+  int below(int bound) {
+    state_ = state_ * 6364136223846793005U + 1442695040888963407U;
+    return static_cast<int>((state_ >> 33) % static_cast<unsigned>(bound));
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+/// One or two of the eight numbers a little larger or smaller: by 2^-1 to 2^-24 of themselves.
+Two stepped(Two two, Steps& steps) {
+  float* const numbers[] = {&two.a.x, &two.a.y, &two.a.z, &two.a.r,
+                            &two.b.x, &two.b.y, &two.b.z, &two.b.r};
+  for (int changes = 1 + steps.below(2); changes > 0; --changes) {
+    float& number = *numbers[steps.below(8)];
+    number += std::ldexp(number * static_cast<float>(steps.below(15) - 7), -3 - steps.below(24));
+  }
+  return two;
+}
+
+Two climb(Two best, Danger danger, Steps steps) {
+  constexpr int kStepsOfAClimb = 3000;
+  for (int step = 0; step < kStepsOfAClimb; ++step) {
+    const Two next = stepped(best, steps);
+    if (danger(next) >= danger(best)) best = next;
+  }
+  return best;
+}
+
+/// The worst of some hundred climbs, from pairs of numbers within a factor of two (or `scales`).
+Two worst(Danger danger, std::uint32_t scales = 1) {
+  constexpr int kClimbs = 300;
+  const auto number = properties::float_between(127 - scales, 127);
+  const auto radius = rc::gen::map(number, [](float r) { return std::fabs(r); });
+  const auto sphere = rc::gen::construct<Sphere>(number, number, number, radius);
+  Two worst = {{0, 0, 0, 1}, {2, 0, 0, 1}};
+  for (std::uint64_t seed = 0; seed < kClimbs; ++seed) {
+    const auto pair = rc::gen::construct<Two>(sphere, sphere);
+    const Two top = climb(pair(rc::Random(seed)).value(), danger, Steps(seed));
+    if (danger(top) > danger(worst)) worst = top;
+  }
+  return worst;
+}
+
+constexpr long double kU = 0x1p-24L;
+
+TEST(Margins, KeepEveryPairInTheFastBand) {
+  const long double danger = danger_of_a_loss<Band::fast>(worst(danger_of_a_loss<Band::fast>));
+  EXPECT_LT(danger, 1.0L - 1.9L * kU) << "proved: a margin of almost 2u";
+  EXPECT_GT(danger, 1.0L - 4.0L * kU) << "the climbs no longer come near the worst case";
+}
+
+TEST(Margins, KeepEveryPairInTheSafeBand) {
+  const long double danger = danger_of_a_loss<Band::safe>(worst(danger_of_a_loss<Band::safe>));
+  EXPECT_LT(danger, 1.0L - 1.9L * kU);
+  EXPECT_GT(danger, 1.0L - 4.0L * kU);
+}
+
+TEST(Margins, MakeUpNoPairInTheFastBand) {
+  const Danger danger = danger_of_a_false_pair<Band::fast>;
+  const long double worst_danger = danger(worst(danger));
+  EXPECT_LT(worst_danger, 1.0L - 0.9L * kU) << "proved: a margin of u";
+  EXPECT_GT(worst_danger, 1.0L - 4.0L * kU);
+}
+
+TEST(Margins, MakeUpNoPairInTheSafeBand) {
+  const Danger danger = danger_of_a_false_pair<Band::safe>;
+  const long double worst_danger = danger(worst(danger));
+  EXPECT_LT(worst_danger, 1.0L - 0.9L * kU);
+  EXPECT_GT(worst_danger, 1.0L - 4.0L * kU);
+}
+
+TEST(Margins, OfFloat64AreWideEnough) {
+  const long double danger = danger_of_float64(worst(danger_of_float64, 60));
+  EXPECT_LT(danger, 0.81L) << "proved: 8 U and a little, of 10 U";
+  EXPECT_GT(danger, 0.3L);
+}
+
+}  // namespace
+}  // namespace octocell

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Each level of the predicate is certain when it answers, for any two finite spheres.
+#include <gtest/gtest.h>
+
+// needs the above
+#include <rapidcheck/gtest.h>
+
+#include "harness/interface/predicate.hpp"
+#include "tests/properties/generators.hpp"
+#include "tests/properties/oracle.hpp"
+
+namespace octocell {
+namespace {
+
+using properties::any_pair;
+using properties::Two;
+
+bool in_fast_range(float r) { return r == 0.0F || (r >= kFastRadiusMin && r <= kFastRadiusMax); }
+
+template <Band band>
+Two with_band_radii(Two two) {
+  two.a.r = band_radius<band>(two.a.r);
+  two.b.r = band_radius<band>(two.b.r);
+  return two;
+}
+
+template <Band band>
+void expect_no_loss_and_sure_verdicts(const Two& two) {
+  const bool truth = properties::overlap(two.a, two.b);
+  const auto [a, b] = with_band_radii<band>(two);
+  const bool may = band_may_overlap(a, b);
+  const bool sure = may && band_is_sure<band>(a, b);
+  RC_ASSERT(may || !truth);
+  RC_ASSERT(!sure || truth);
+  RC_ASSERT(may == band_may_overlap(b, a));
+  RC_CLASSIFY(may && !sure, "doubt");
+  RC_CLASSIFY(truth, "overlap");
+}
+
+RC_GTEST_PROP(PredicateProperties, SafeBandLosesNoPairAndIsRightWhenSure, ()) {
+  expect_no_loss_and_sure_verdicts<Band::safe>(*any_pair());
+}
+
+RC_GTEST_PROP(PredicateProperties, FastBandLosesNoPairAndIsRightWhenSure, ()) {
+  const Two two = *any_pair();
+  if (!in_fast_range(two.a.r) || !in_fast_range(two.b.r)) RC_DISCARD("radii out of range");
+  expect_no_loss_and_sure_verdicts<Band::fast>(two);
+}
+
+RC_GTEST_PROP(PredicateProperties, FastBandDecidesNoPointsThatAreOne, ()) {
+  const Sphere point = {*properties::any_float(), *properties::any_float(),
+                        *properties::any_float(), 0.0F};
+  RC_ASSERT(band_may_overlap(point, point));
+  RC_ASSERT(!band_is_sure<Band::fast>(point, point));
+}
+
+RC_GTEST_PROP(PredicateProperties, Float64IsRightWhenCertain, ()) {
+  const Two two = *any_pair();
+  const Verdict verdict = exact::float64_test(two.a, two.b);
+  RC_CLASSIFY(verdict == Verdict::doubt, "doubt");
+  if (verdict == Verdict::doubt) return;
+  RC_ASSERT((verdict == Verdict::overlap) == properties::overlap(two.a, two.b));
+}
+
+RC_GTEST_PROP(PredicateProperties, IntegersAreAlwaysRight, ()) {
+  const Two two = *any_pair();
+  RC_ASSERT(exact::integer_test(two.a, two.b) == properties::overlap(two.a, two.b));
+}
+
+RC_GTEST_PROP(PredicateProperties, ExactTestIsRightInEitherOrder, ()) {
+  const Two two = *any_pair();
+  const bool truth = properties::overlap(two.a, two.b);
+  RC_ASSERT(overlap_exact(two.a, two.b) == truth);
+  RC_ASSERT(overlap_exact(two.b, two.a) == truth);
+}
+
+/// TwoSum's and the product's error are what rounding took, to the last bit.
+RC_GTEST_PROP(PredicateProperties, ErrorsOfSumsAndSquaresAreExact, ()) {
+  const double a = *properties::any_float();
+  const double b = *properties::any_float();
+  const exact::Sum sum = exact::two_sum(a, b);
+  const auto exactly = properties::exactly;
+  RC_ASSERT(exactly(a) + exactly(b) == exactly(sum.value) + exactly(sum.error));
+  const double square = sum.value * sum.value;
+  const mpq_class rest = exactly(sum.value) * exactly(sum.value) - exactly(square);
+  RC_ASSERT(rest == exactly(exact::square_error(sum.value, square)));
+}
+
+}  // namespace
+}  // namespace octocell
