@@ -54,15 +54,15 @@ double cost_within(const Level& level, const Members& members, const ShellCosts&
   const Grid& grid = level.grid;
   const double rows_of_cells = static_cast<double>(grid.period(1)) * grid.period(2);
   const double rows = std::min(members.count, rows_of_cells);
-  const double neighbour_rows =
-      (grid.cell_count[1] > 1 ? 1.0 : 0.0) + (grid.cell_count[2] > 1 ? 1.0 : 0.0) +
-      (grid.cell_count[1] > 1 && grid.cell_count[2] > 1 ? 2.0 : 0.0);
+  const double neighbour_rows = (grid.cell_count[1] > 1 ? 1.0 : 0.0) +
+                                (grid.cell_count[2] > 1 ? 1.0 : 0.0) +
+                                (grid.cell_count[1] > 1 && grid.cell_count[2] > 1 ? 2.0 : 0.0);
   const double window_cells = 2.0 + 1.0 / level.reach;
   const double candidates =
       neighbours_in_cell(level, members) * window_cells * (0.5 + neighbour_rows);
   return members.count * (costs.per_sphere + neighbour_rows * costs.per_window +
                           candidates * costs.per_candidate) +
-         rows * costs.per_row;
+         rows * costs.per_row + level.ids * costs.per_id;
 }
 
 /// The part of an axis that a box of that width covers.
@@ -71,10 +71,20 @@ double share_of(const PlanFacts& facts, int axis, double width) {
   return extent > width ? width / extent : 1.0;
 }
 
+/// Each sphere of the finer level against the nine rows around it of the coarser.
+double cost_of_finer(const Level& coarser, const Members& coarse, const Members& fine,
+                     const ShellCosts& costs) {
+  constexpr double kRows = 9.0;
+  const double window_cells = 2.0 + 1.0 / coarser.reach;
+  const double candidates =
+      std::min(coarse.count, neighbours_in_cell(coarser, coarse) * window_cells * kRows);
+  return fine.count * (kRows * costs.per_probe + candidates * costs.per_candidate);
+}
+
 /// Each sphere of the coarse level against the finer: the rows that its box meets, and in them
 /// what its box holds.
-double cost_across(const SceneStats& stats, const Members& coarse, const Level& level,
-                   const Members& fine, const ShellCosts& costs) {
+double cost_of_coarser(const SceneStats& stats, const Members& coarse, const Level& level,
+                       const Members& fine, const ShellCosts& costs) {
   const double width = 2.0 * (coarse.mean_radius() + static_cast<double>(level.r_max));
   double rows = 1.0;
   for (const int a : {1, 2}) {
@@ -82,8 +92,8 @@ double cost_across(const SceneStats& stats, const Members& coarse, const Level& 
   }
   double share = 1.0;
   for (int a = 0; a < 3; ++a) share *= share_of(stats.facts, a, width + level.grid.cell_side);
-  return coarse.count * (std::min(rows, fine.count) * costs.per_probe +
-                         fine.count * share * costs.per_candidate);
+  return coarse.count *
+         (std::min(rows, fine.count) * costs.per_probe + fine.count * share * costs.per_candidate);
 }
 
 /// The side and the number of columns with the least cost, for what spheres there are.
@@ -96,15 +106,17 @@ Level cheapest_level(const SceneStats& stats, float r_max, int most_bits, const 
   double least = 2.0 * static_cast<double>(r_max);
   if (least == 0.0) least = std::max(mean_spacing(stats.facts) / 2.0, 0x1p-149);
   constexpr int kDoublings = 8;
-  for (int doubling = 0; doubling < kDoublings; ++doubling) {
+  constexpr int kStepsPerDoubling = 4;
+  for (int step = 0; step < kDoublings * kStepsPerDoubling; ++step) {
+    const double side = least * std::exp2(static_cast<double>(step) / kStepsPerDoubling);
     for (std::uint32_t columns = 1; columns <= costs.shell.most_columns; columns *= 2) {
       Level& level = trial.level[index];
-      level = make_level(stats.facts, r_max, std::ldexp(least, doubling), columns, most_bits);
+      level = make_level(stats.facts, r_max, side, columns, most_bits);
       const Members members = divide(stats, trial)[static_cast<std::size_t>(index)];
       const int passes =
           sort_passes(static_cast<int>(std::bit_width(level.ids - 1)), costs.digit_bits);
-      const double cost = cost_within(level, members, costs.shell) +
-                          members.count * passes * costs.per_id_and_pass;
+      const double cost =
+          cost_within(level, members, costs.shell) + members.count * passes * costs.per_id_and_pass;
       if (cost >= best_cost) continue;
       best = level;
       best_cost = cost;
@@ -137,7 +149,9 @@ double estimate_cost(const SceneStats& stats, const Levels& levels, const Costs&
     const Level& level = levels.level[fine];
     cost += cost_within(level, members[fine], costs.shell);
     for (int coarse = fine + 1; coarse < levels.count; ++coarse) {
-      cost += cost_across(stats, members[coarse], level, members[fine], costs.shell);
+      cost += costs.shell.finer_probe
+                  ? cost_of_finer(levels.level[coarse], members[coarse], members[fine], costs.shell)
+                  : cost_of_coarser(stats, members[coarse], level, members[fine], costs.shell);
     }
   }
   const int passes = sort_passes(key_bits_of(levels), costs.digit_bits);

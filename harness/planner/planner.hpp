@@ -16,7 +16,9 @@ struct ShellCosts {
   double per_row = 30.0;       // to find a row's neighbours
   double per_window = 3.0;     // of a sphere in a neighbouring row
   double per_candidate = 0.3;  // in a window
-  double per_probe = 15.0;     // of a sphere in a row of a finer level
+  double per_probe = 15.0;     // of a sphere in a row of another level
+  double per_id = 0.0;         // of an id that there may be, whether a sphere has it or not
+  bool finer_probe = false;    // the finer spheres look for the coarser ones, not these for those
   std::uint32_t most_columns = 8;  // into which a cell is cut
 };
 
@@ -26,7 +28,7 @@ struct Costs {
   double per_id = 17.0;          // to make it, and to look at it in stages 4 and 5
   double per_id_and_pass = 2.2;  // to sort it by one digit
   double per_candidate = 0.4;
-  int digit_bits = 8;            // the most that one pass sorts by
+  int digit_bits = 8;  // the most that one pass sorts by
   ShellCosts shell = {};
 };
 
