@@ -2,13 +2,12 @@
 // What kernels of several stages need: loads, atomics, sums over a warp and a block.
 #pragma once
 
+#include "impl_cuda_custom/radix_sort/device_tools.cuh"
 #include "impl_cuda_custom/stages.cuh"
 
 namespace octocell::cuda_custom {
 
-inline constexpr int kWarpThreads = 32;
 inline constexpr int kBlockWarps = kBlockThreads / kWarpThreads;
-inline constexpr unsigned kAllLanes = 0xffffffffU;
 
 __device__ inline int lane() { return static_cast<int>(threadIdx.x) % kWarpThreads; }
 __device__ inline int warp() { return static_cast<int>(threadIdx.x) / kWarpThreads; }

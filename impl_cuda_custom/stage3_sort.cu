@@ -15,6 +15,10 @@ KeysAndValues arrays(const IdArrays& ids) { return {ids.cell_ids.data(), ids.obj
 
 void sort(Workspace& w) {
   if (!w.sorter || w.sphere_count() == 0) return;
+  if (w.half_shell()) {  // its stage 2 has counted the digits
+    return w.sorter->launch_passes(arrays(w.ids[0]), arrays(w.ids[1]), &w.state.data()->entries,
+                                   w.sort_scratch.data(), w.stream);
+  }
   w.sorter->launch(arrays(w.ids[0]), arrays(w.ids[1]), &w.state.data()->entries,
                    w.sort_scratch.data(), w.stream);
 }

@@ -18,10 +18,21 @@ namespace {
 
 /// Fitted to the times of impl_cuda_custom's kernels on an H100 (gas, dense and poly, a million
 /// spheres, cells of 1.5 to 6 radii).
-constexpr Costs kDeviceCosts = {
-    .per_id = 0.042, .per_id_and_pass = 0.018, .per_candidate = 0.0037, .digit_bits = 10};
+constexpr Costs kDeviceCosts = {.per_id = 0.042,
+                                .per_id_and_pass = 0.018,
+                                .per_candidate = 0.0037,
+                                .digit_bits = 10,
+                                .shell = {.per_sphere = 0.06,
+                                          .per_row = 0.0,
+                                          .per_window = 0.004,
+                                          .per_candidate = 0.0025,
+                                          .per_probe = 0.005,
+                                          .per_id = 0.005,
+                                          .finer_probe = true,
+                                          .most_columns = 2}};
 
 constexpr std::array kAllMethods = {Method::home_phantom, Method::brute_force};
+constexpr std::array kCudaMethods = {Method::home_phantom, Method::half_shell, Method::brute_force};
 
 std::optional<std::string> always_available() { return std::nullopt; }
 
@@ -70,7 +81,7 @@ constexpr std::array kBackends = {
     BackendInfo{.name = "impl_cuda_custom",
                 .kind = Kind::backend,
                 .summary = "uniform grid and radix sort, kernels of our own (CUDA)",
-                .methods = kAllMethods,
+                .methods = kCudaMethods,
                 .threaded = false,
                 .why_unavailable = cuda_custom::why_unavailable,
                 .create = cuda_custom::make_backend,
