@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <map>
+#include <vector>
 
 #include "harness/planner/planner.hpp"
 
@@ -36,18 +36,42 @@ std::vector<Members> divide(const SceneStats& stats, const Levels& levels) {
 
 double cells_of(const Level& level) { return static_cast<double>(level.ids) / level.reach; }
 
-/// Spheres of the level in a cell around one of them: as if spread evenly, or as the sample says.
-double neighbours_in_cell(const Level& level, const Members& members) {
-  const double evenly = members.count / cells_of(level);
-  if (members.sample.size() < 2) return evenly;
-  std::map<std::uint64_t, std::uint32_t> seen;
-  std::uint64_t pairs = 0;
-  for (const Sphere& s : members.sample) {
+/// Pairs of the sample that share a block of 2^shift cells a side.
+std::uint64_t pairs_in_blocks(const Level& level, const std::vector<Sphere>& sample, int shift) {
+  std::vector<std::uint64_t> blocks;
+  for (const Sphere& s : sample) {
     const Cell cell = cell_of(level.grid, s.x, s.y, s.z);
-    pairs += seen[cell_id(level.grid, {cell.x / level.reach, cell.y, cell.z})]++;
+    blocks.push_back(
+        cell_id(level.grid, {(cell.x / level.reach) >> shift, cell.y >> shift, cell.z >> shift}));
   }
+  std::ranges::sort(blocks);
+  std::uint64_t pairs = 0;
+  std::uint64_t alike = 0;
+  for (std::size_t k = 1; k < blocks.size(); ++k) {
+    alike = blocks[k] == blocks[k - 1] ? alike + 1 : 0;
+    pairs += alike;
+  }
+  return pairs;
+}
+
+/// Spheres of the level in a cell around one of them: as if spread evenly, or as the sample says.
+/// That is small, so it is asked for blocks of cells, the smallest in which enough of it meet.
+double neighbours_in_cell(const Level& level, const Members& members) {
+  constexpr std::uint64_t kEnough = 100;
+  const double evenly = members.count / cells_of(level);
   const auto size = static_cast<double>(members.sample.size());
-  return std::max(evenly, 2.0 * static_cast<double>(pairs) / size * members.count / size);
+  const Grid& grid = level.grid;
+  const std::uint32_t cells[3] = {grid.cell_count[0] / level.reach + 1, grid.cell_count[1],
+                                  grid.cell_count[2]};
+  const std::uint32_t most = std::max({cells[0], cells[1], cells[2]});
+  for (int shift = 0; size > 1 && most >> shift != 0; ++shift) {
+    const std::uint64_t pairs = pairs_in_blocks(level, members.sample, shift);
+    if (pairs < kEnough) continue;
+    double block = 1.0;  // cells
+    for (const std::uint32_t n : cells) block *= std::min<double>(n, std::ldexp(1.0, shift));
+    return std::max(evenly, 2.0 * static_cast<double>(pairs) / size * members.count / size / block);
+  }
+  return evenly;
 }
 
 double cost_within(const Level& level, const Members& members, const ShellCosts& costs) {
@@ -62,7 +86,7 @@ double cost_within(const Level& level, const Members& members, const ShellCosts&
       neighbours_in_cell(level, members) * window_cells * (0.5 + neighbour_rows);
   return members.count * (costs.per_sphere + neighbour_rows * costs.per_window +
                           candidates * costs.per_candidate) +
-         rows * costs.per_row + level.ids * costs.per_id;
+         rows * costs.per_row + std::min<double>(level.ids, 8.0 * members.count) * costs.per_id;
 }
 
 /// The part of an axis that a box of that width covers.
@@ -116,7 +140,7 @@ Level cheapest_level(const SceneStats& stats, float r_max, int most_bits, const 
       const int passes =
           sort_passes(static_cast<int>(std::bit_width(level.ids - 1)), costs.digit_bits);
       const double cost =
-          cost_within(level, members, costs.shell) + members.count * passes * costs.per_id_and_pass;
+          cost_within(level, members, costs.shell) + members.count * passes * costs.shell.per_pass;
       if (cost >= best_cost) continue;
       best = level;
       best_cost = cost;
@@ -155,7 +179,7 @@ double estimate_cost(const SceneStats& stats, const Levels& levels, const Costs&
     }
   }
   const int passes = sort_passes(key_bits_of(levels), costs.digit_bits);
-  return cost + static_cast<double>(stats.facts.sphere_count) * passes * costs.per_id_and_pass;
+  return cost + static_cast<double>(stats.facts.sphere_count) * passes * costs.shell.per_pass;
 }
 
 int key_bits_of(const Levels& levels) {

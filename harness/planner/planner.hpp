@@ -17,8 +17,9 @@ struct ShellCosts {
   double per_window = 3.0;     // of a sphere in a neighbouring row
   double per_candidate = 0.3;  // in a window
   double per_probe = 15.0;     // of a sphere in a row of another level
-  double per_id = 0.0;         // of an id that there may be, whether a sphere has it or not
-  bool finer_probe = false;    // the finer spheres look for the coarser ones, not these for those
+  double per_id = 0.0;       // that there may be, with or without a sphere; up to 8 a sphere count
+  double per_pass = 2.2;     // of a sphere in the sort, by one digit
+  bool finer_probe = false;  // the finer spheres look for the coarser ones, not these for those
   std::uint32_t most_columns = 8;  // into which a cell is cut
 };
 

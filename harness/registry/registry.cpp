@@ -17,19 +17,20 @@ namespace octocell {
 namespace {
 
 /// Fitted to the times of impl_cuda_custom's kernels on an H100 (gas, dense and poly, a million
-/// spheres, cells of 1.5 to 6 radii).
+/// spheres; home_phantom with cells of 1.5 to 6 radii, half_shell with cells of 1 to 2 diameters).
 constexpr Costs kDeviceCosts = {.per_id = 0.042,
                                 .per_id_and_pass = 0.018,
                                 .per_candidate = 0.0037,
                                 .digit_bits = 10,
-                                .shell = {.per_sphere = 0.06,
+                                .shell = {.per_sphere = 0.09,
                                           .per_row = 0.0,
                                           .per_window = 0.004,
-                                          .per_candidate = 0.0025,
-                                          .per_probe = 0.005,
-                                          .per_id = 0.005,
+                                          .per_candidate = 0.00075,
+                                          .per_probe = 0.01,
+                                          .per_id = 0.0045,
+                                          .per_pass = 0.006,
                                           .finer_probe = true,
-                                          .most_columns = 2}};
+                                          .most_columns = 1}};
 
 constexpr std::array kAllMethods = {Method::home_phantom, Method::brute_force};
 constexpr std::array kCudaMethods = {Method::home_phantom, Method::half_shell, Method::brute_force};
