@@ -76,6 +76,9 @@ inline StartsShape starts_shape(const Plan& plan) {
   return shape;
 }
 
+/// Its stage 5 reads so many sorted spheres behind the last, and makes nothing of them.
+inline constexpr std::uint32_t kReadBehind = 34;
+
 /// Everything the stages share. The arrays are sized by the plan; the stages allocate nothing.
 struct Workspace {
   Plan plan;
@@ -90,10 +93,10 @@ struct Workspace {
   cuda::DeviceArray<char> sort_scratch;                    // what the sorter asks for
   cuda::DeviceArray<chapter32::ControlBits> control_bits;  // [spheres], rule chapter32 only
   cuda::DeviceArray<CrowdedTile> crowded_tiles;            // [plan.capacity.ids / kBlockThreads]
-  cuda::DeviceArray<Sphere> sorted_spheres;                // [spheres], method half_shell only
-  cuda::DeviceArray<std::uint32_t> cell_starts;            // of them; see StartsShape
-  cuda::DeviceArray<Pair> doubts;                          // [plan.capacity.doubts]
-  cuda::DeviceArray<Pair> pairs;                           // [plan.capacity.pairs]
+  cuda::DeviceArray<Sphere> sorted_spheres;      // [spheres + kReadBehind], half_shell only
+  cuda::DeviceArray<std::uint32_t> cell_starts;  // of them; see StartsShape
+  cuda::DeviceArray<Pair> doubts;                // [plan.capacity.doubts]
+  cuda::DeviceArray<Pair> pairs;                 // [plan.capacity.pairs]
 
   [[nodiscard]] std::uint64_t sphere_count() const { return scene.spheres.size(); }
   [[nodiscard]] bool brute_force() const { return plan.method == Method::brute_force; }
@@ -119,7 +122,7 @@ struct Workspace {
     visit(sort_scratch, sorter ? sorter->scratch_bytes() : 0);
     visit(control_bits, plan.rule == Rule::chapter32 ? sphere_count() : 0);
     visit(crowded_tiles, phantoms ? room.ids / kBlockThreads : 0);
-    visit(sorted_spheres, half_shell() ? sphere_count() : 0);
+    visit(sorted_spheres, half_shell() ? sphere_count() + kReadBehind : 0);
     visit(cell_starts, half_shell() ? starts_shape(plan).starts() : 0);
     visit(doubts, room.doubts);
     visit(pairs, room.pairs);

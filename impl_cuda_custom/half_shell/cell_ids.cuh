@@ -27,7 +27,7 @@ struct IdsJob {
 };
 
 constexpr int kIdsThreads = digit_histograms::kThreads;
-constexpr int kSpheresAtOnce = 4;          // loads of a thread under way
+constexpr int kSpheresAtOnce = 2;          // loads of a thread under way
 constexpr std::uint32_t kIdsBlocks = 264;  // fills the chip; each adds its counts to those of all
 
 /// Returns the violations met.
@@ -82,8 +82,8 @@ inline void cell_ids(Workspace& w) {
                                            ids_kernel<4>};
   const int passes = w.sorter->passes();
   const std::uint32_t blocks = std::min(parts_of(job.sphere_count, kIdsThreads), kIdsBlocks);
-  kByPasses[passes - 1]<<<blocks, kIdsThreads, digit_histograms::shared_bytes(job.digits, passes),
-                          w.stream>>>(job);
+  const std::size_t shared = digit_histograms::shared_bytes(job.digits, passes);
+  kByPasses[passes - 1]<<<blocks, kIdsThreads, shared, w.stream>>>(job);
   cuda::check_launch();
 }
 

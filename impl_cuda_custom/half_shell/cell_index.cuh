@@ -10,6 +10,7 @@ namespace octocell::cuda_custom::half_shell {
 /// A block finds these many starts.
 constexpr int kStartsPerThread = 8;
 constexpr std::uint32_t kStartsPerBlock = kBlockThreads * kStartsPerThread;
+constexpr std::uint32_t kMostStaged = 4096;  // sorted ids that a block searches in shared memory
 
 /// The first of `count` places whose id is `id` or above. A warp cuts in 32 where a thread would
 /// halve. All lanes call it.
@@ -33,6 +34,7 @@ __device__ inline std::uint32_t search_by_warp(const std::uint32_t* cell_ids, st
 __global__ void __launch_bounds__(kBlockThreads)
     starts_kernel(CellStarts to, std::uint32_t starts, const State* state) {
   __shared__ std::uint32_t ends[2];
+  __shared__ std::uint32_t staged[kMostStaged];
   const auto entries = static_cast<std::uint32_t>(state->entries);
   if (entries == 0) return;
   const std::uint32_t first = blockIdx.x * kStartsPerBlock;
@@ -43,31 +45,36 @@ __global__ void __launch_bounds__(kBlockThreads)
   }
   __syncthreads();
 
-  std::uint32_t places[kStartsPerThread];
   std::uint32_t length = ends[1] - ends[0];
-#pragma unroll
-  for (std::uint32_t& place : places) place = ends[0];
-  while (length > 0) {  // all searches in step, so that their loads overlap
+  const std::uint32_t* ids = to.cell_ids + ends[0];
+  if (length <= kMostStaged) {
+    for (std::uint32_t i = threadIdx.x; i < length; i += kBlockThreads) staged[i] = ids[i];
+    __syncthreads();
+    ids = staged;
+  }
+  std::uint32_t places[kStartsPerThread] = {};  // counted from ends[0]
+  while (length > 0) {                          // all searches in step, so that their loads overlap
     const std::uint32_t half = (length + 1) / 2;
 #pragma unroll
     for (int k = 0; k < kStartsPerThread; ++k) {
       const std::uint32_t id = (first + k * kBlockThreads + threadIdx.x) << to.shift;
-      if (to.cell_ids[places[k] + half - 1] < id) places[k] += half;
+      if (ids[places[k] + half - 1] < id) places[k] += half;
     }
     length -= half;
   }
 #pragma unroll
   for (int k = 0; k < kStartsPerThread; ++k) {
     const std::uint32_t group = first + k * kBlockThreads + threadIdx.x;
-    if (group < starts) to.starts[group] = places[k];
+    if (group < starts) to.starts[group] = ends[0] + places[k];
   }
 }
 
 constexpr int kOrderedPerThread = 2;  // spheres that a thread gathers at once
 constexpr std::uint32_t kOrderedPerBlock = kBlockThreads * kOrderedPerThread;
 
+template <typename Neighbours>
 struct OrderJob {
-  Shells shells;
+  Neighbours neighbours;
   const Sphere* spheres;  // as they came
   Sphere* ordered;
   Band band;
@@ -79,17 +86,18 @@ struct OrderJob {
   }
 };
 
+template <typename Neighbours>
 __global__ void __launch_bounds__(kBlockThreads)
-    order_kernel(const __grid_constant__ OrderJob job) {
+    order_kernel(const __grid_constant__ OrderJob<Neighbours> job) {
   const auto entries = static_cast<std::uint32_t>(job.state->entries);
   const std::uint32_t block_begin = blockIdx.x * kOrderedPerBlock;
-  if (block_begin >= entries) return;
-  const std::uint32_t* const ids = job.shells.starts.cell_ids;
+  if (entries == 0 || block_begin >= entries + kReadBehind) return;
+  const std::uint32_t* const ids = job.neighbours.starts.cell_ids;
   Sphere spheres[kOrderedPerThread];
 #pragma unroll
   for (int k = 0; k < kOrderedPerThread; ++k) {
     const std::uint32_t place = block_begin + k * kBlockThreads + threadIdx.x;
-    if (place < entries) spheres[k] = load_sphere(job.spheres, job.shells.objects[place]);
+    if (place < entries) spheres[k] = load_sphere(job.spheres, job.neighbours.objects[place]);
   }
   std::uint64_t candidates = 0;
   std::uint32_t cells = 0;
@@ -99,9 +107,9 @@ __global__ void __launch_bounds__(kBlockThreads)
     const bool present = place < entries;
     const std::uint32_t id = present ? ids[place] : 0;
     if (present && (place == 0 || ids[place - 1] != id)) ++cells;
-    visit_runs(job.shells, present, place, id, spheres[k],
-               [&](Run run) { candidates += run.size(); });
+    candidates += job.neighbours.count_neighbours(present, place, id, spheres[k]);
     if (present) job.put(place, spheres[k]);
+    if (place >= entries && place < entries + kReadBehind) job.put(place, {});
   }
   add_over_block(&job.state->cells, cells);
   add_over_block(&job.state->candidates, candidates);
@@ -109,18 +117,20 @@ __global__ void __launch_bounds__(kBlockThreads)
 
 inline void cell_index(Workspace& w) {
   if (!w.half_shell()) return;
-  const Shells shells = shells_of(w);
   const std::uint32_t starts = starts_shape(w.plan).starts();
   starts_kernel<<<parts_of(starts, kStartsPerBlock), kBlockThreads, 0, w.stream>>>(
-      shells.starts, starts, w.state.data());
+      starts_of(w), starts, w.state.data());
   cuda::check_launch();
-  const OrderJob job = {.shells = shells,
-                        .spheres = w.spheres.data(),
-                        .ordered = w.sorted_spheres.data(),
-                        .band = w.plan.band,
-                        .state = w.state.data()};
-  order_kernel<<<blocks_for(w.sphere_count(), kOrderedPerBlock), kBlockThreads, 0, w.stream>>>(job);
-  cuda::check_launch();
+  with_neighbours(w, [&](const auto& neighbours) {
+    const OrderJob job = {.neighbours = neighbours,
+                          .spheres = w.spheres.data(),
+                          .ordered = w.sorted_spheres.data(),
+                          .band = w.plan.band,
+                          .state = w.state.data()};
+    const unsigned blocks = blocks_for(w.sphere_count() + kReadBehind, kOrderedPerBlock);
+    order_kernel<<<blocks, kBlockThreads, 0, w.stream>>>(job);
+    cuda::check_launch();
+  });
 }
 
 }  // namespace octocell::cuda_custom::half_shell

@@ -29,10 +29,16 @@ struct CellStarts {
   /// The same among all; `id` is at most one above the last that can occur.
   [[nodiscard]] __device__ std::uint32_t place_of(std::uint32_t id) const {
     const std::uint32_t group = id >> shift;
-    const std::uint32_t begin = __ldg(starts + group);
+    const std::uint32_t begin = starts[group];
     if (shift == 0 || (id & ((1U << shift) - 1)) == 0) return begin;
-    return search(begin, __ldg(starts + group + 1), id);
+    return search(begin, starts[group + 1], id);
   }
 };
+
+inline CellStarts starts_of(Workspace& w) {
+  return {.cell_ids = w.sorted().cell_ids.data(),
+          .starts = w.cell_starts.data(),
+          .shift = starts_shape(w.plan).shift};
+}
 
 }  // namespace octocell::cuda_custom::half_shell

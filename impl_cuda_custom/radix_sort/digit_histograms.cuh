@@ -102,18 +102,24 @@ __device__ inline bool is_last_block(std::uint32_t* blocks_done) {
   return last;
 }
 
-/// Counts of one pass become starts. A thread has two neighbouring bins.
-__device__ inline void sum_bins(std::uint32_t* bins, int size) {
-  __shared__ std::uint32_t warp_sums[kThreads / kWarpThreads];
+/// Counts of each pass become starts. A thread has two neighbouring bins of each, and loads all
+/// before it sums up the first.
+template <int kPasses>
+__device__ void sum_bins(std::uint32_t* bins, int size) {
+  __shared__ std::uint32_t warp_sums[kPasses][kThreads / kWarpThreads];
   const int bin = 2 * static_cast<int>(threadIdx.x);
-  const std::uint32_t even = bin < size ? __ldcg(&bins[bin]) : 0;
-  const std::uint32_t odd = bin < size ? __ldcg(&bins[bin + 1]) : 0;
-  const std::uint32_t before = block_sums<kThreads>(even + odd, warp_sums).before;
-  if (bin < size) {
-    bins[bin] = before;
-    bins[bin + 1] = before + even;
+  uint2 counts[kPasses];
+#pragma unroll
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const auto* const mine = reinterpret_cast<const uint2*>(bins + pass * size + bin);
+    counts[pass] = bin < size ? __ldcg(mine) : uint2{0, 0};
   }
-  __syncthreads();  // warp_sums are used again
+#pragma unroll
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const uint2 mine = counts[pass];
+    const std::uint32_t before = block_sums<kThreads>(mine.x + mine.y, warp_sums[pass]).before;
+    if (bin < size) *reinterpret_cast<uint2*>(bins + pass * size + bin) = {before, before + mine.x};
+  }
 }
 
 /// Clears the block's counts ([kPasses][job.bins], shared by its kThreads threads), and its part of
@@ -134,7 +140,7 @@ __device__ bool close(const Job& job, const std::uint32_t* counts) {
     if (counts[i] != 0) atomicAdd(&job.starts[i], counts[i]);
   }
   if (!is_last_block(job.blocks_done)) return false;
-  for (int pass = 0; pass < kPasses; ++pass) sum_bins(job.starts + pass * job.bins, job.bins);
+  sum_bins<kPasses>(job.starts, job.bins);
   return true;
 }
 
