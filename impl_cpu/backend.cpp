@@ -18,13 +18,7 @@ class CpuBackend final : public GridPairFinder {
     if (!w_.threads || w_.threads->count() != plan.threads) {
       w_.threads = std::make_unique<Threads>(plan.threads);
     }
-    const Capacities& room = plan.capacity;
-    for (IdArrays& ids : w_.ids) ids.allocate(room.ids);
-    if (plan.rule == Rule::chapter32) w_.control_bits.allocate(scene.spheres.size());
-    w_.cells.allocate(room.cells);
-    w_.crowded_cells.allocate(room.ids / kTileSpheres + 1);
-    w_.doubts.allocate(room.doubts);
-    w_.pairs.allocate(room.pairs);
+    w_.allocate();
   }
 
   /// Nothing stands between runs: every find_pairs() starts from the spheres.
@@ -33,12 +27,13 @@ class CpuBackend final : public GridPairFinder {
   Counts counts() override {
     Counts found;
     found.ids = w_.id_count;
-    found.cells = w_.cells.size();
+    found.cells = w_.plan.method == Method::half_shell ? w_.ordered.row_count : w_.cells.size();
     found.candidates = w_.candidates;
     found.doubts = w_.doubts.size();
     found.pairs = w_.pairs.size();
     found.over_candidate_limit = w_.candidates > w_.plan.candidate_limit;
     found.plan_violation = w_.violation;
+    found.used = w_.used;
     return found;
   }
 

@@ -34,6 +34,13 @@ void tabulate(std::span<const std::uint32_t> keys, int shift,
   for (const std::uint32_t key : keys) ++counts[digit(key, shift)];
 }
 
+/// Whether every key has that digit.
+bool all_share(const Counters& counters, int parts, std::size_t digit, std::size_t size) {
+  std::size_t count = 0;
+  for (int p = 0; p < parts; ++p) count += counters[p][digit];
+  return count == size;
+}
+
 /// Counts become first positions: all parts' zeros, then all parts' ones, and so on, which keeps
 /// equal keys in their order.
 void prefix_sum(Counters& counters, int parts) {
@@ -58,7 +65,8 @@ void reorder(const KeysAndValues& from, const KeysAndValues& to, Part part, int 
 
 }  // namespace
 
-int radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, Threads& threads) {
+Sorted radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, bool skip_passes,
+                  Threads& threads) {
   const std::size_t size = front.keys.size();
   const int parts = std::min(threads.count(), kMaxParts);
   static thread_local Counters counters;  // 64 KiB, off the stack
@@ -68,18 +76,23 @@ int radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, Threads& t
       if (t < parts) work(t, part_of(size, t, parts));
     });
   };
-  int current = 0;
+  Sorted sorted;
   for (int shift = 0; shift < key_bits; shift += kDigitBits) {
-    const KeysAndValues& from = current == 0 ? front : back;
-    const KeysAndValues& to = current == 0 ? back : front;
+    const KeysAndValues& from = sorted.side == 0 ? front : back;
+    const KeysAndValues& to = sorted.side == 0 ? back : front;
     for_parts([&](int p, Part part) {
       tabulate(from.keys.subspan(part.begin, part.end - part.begin), shift, shared[p]);
     });
+    if (skip_passes && !from.keys.empty() &&
+        all_share(shared, parts, digit(from.keys[0], shift), size)) {
+      ++sorted.passes_skipped;
+      continue;
+    }
     prefix_sum(shared, parts);
     for_parts([&](int p, Part part) { reorder(from, to, part, shift, shared[p]); });
-    current ^= 1;
+    sorted.side ^= 1;
   }
-  return current;
+  return sorted;
 }
 
 }  // namespace octocell::cpu

@@ -14,9 +14,16 @@ struct KeysAndValues {
   std::span<std::uint32_t> values;
 };
 
+struct Sorted {
+  int side = 0;  // 0: the result is in `front`, 1: in `back`
+  int passes_skipped = 0;
+};
+
 /// Stable LSD radix sort of (key, value) by the lowest `key_bits` bits of the key, 8 bits a pass.
 /// `front` holds the input; the two buffers are used in turn. All four spans have equal length,
-/// below 2^32. Returns 0 if the result is in `front`, 1 if it is in `back`.
-int radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, Threads& threads);
+/// below 2^32. With `skip_passes`, a digit that all keys share is not sorted by (Terdiman, Radix
+/// Sort Revisited, 2000).
+Sorted radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, bool skip_passes,
+                  Threads& threads);
 
 }  // namespace octocell::cpu

@@ -27,6 +27,7 @@ bool within(const PlanFacts& seen, const PlanFacts& planned) {
 void bounds(Workspace& w) {
   w.violation.reset();
   w.candidates = 0;
+  w.used = {};
   const std::span<const Sphere> spheres = w.scene.spheres;
   if (spheres.empty()) return;
 

@@ -8,7 +8,7 @@
 
 #include "harness/interface/as_written.hpp"
 #include "harness/interface/grid.hpp"
-#include "impl_cpu/stages.hpp"
+#include "impl_cpu/half_shell/half_shell.hpp"
 
 namespace octocell::cpu {
 namespace {
@@ -42,7 +42,7 @@ class PhantomWriter {
 
   void flush() {
     const std::uint64_t at = next_.fetch_add(size_, std::memory_order_relaxed);
-    if (at + size_ <= out_.cell_ids.capacity()) {
+    if (at + size_ <= out_.objects.capacity()) {
       std::copy_n(cell_ids_, size_, out_.cell_ids.data() + at);
       std::copy_n(objects_, size_, out_.objects.data() + at);
     }
@@ -202,6 +202,7 @@ void cell_ids(Workspace& w) {
   w.current = 0;
   w.id_count = w.scene.spheres.size();
   if (w.violation || !w.ids_complete()) return;
+  if (w.plan.method == Method::half_shell) return half_shell::cell_ids(w);
   switch (w.plan.rule) {
     case Rule::lowest_cell:
       return emit_lowest_cell(w);

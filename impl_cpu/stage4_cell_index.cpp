@@ -3,7 +3,7 @@
 // Reads sorted cell ids and objects. Writes one entry a cell in which a pair can be tested.
 // Cost: 8 bytes an id.
 // Idea: a cell begins where the id changes; cells with nothing to test are left out here, once.
-#include "impl_cpu/stages.hpp"
+#include "impl_cpu/half_shell/half_shell.hpp"
 
 namespace octocell::cpu {
 namespace {
@@ -43,6 +43,7 @@ struct SortedIds {
 void cell_index(Workspace& w) {
   w.cells.clear();
   if (w.violation || !w.ids_complete()) return;
+  if (w.plan.method == Method::half_shell) return half_shell::cell_index(w);
   const IdArrays& ids = w.ids[w.current];
   const SortedIds sorted = {ids.cell_ids.data(), ids.objects.data(), w.id_count};
   std::atomic<std::uint64_t> candidates = 0;

@@ -5,7 +5,8 @@
 // Idea: float32 with a proved band decides all but a few pairs in a million; the rule that names
 //       the one cell in which a pair counts is asked only for pairs that may overlap.
 #include "harness/interface/as_written.hpp"
-#include "impl_cpu/stages.hpp"
+#include "impl_cpu/half_shell/half_shell.hpp"
+#include "impl_cpu/pair_sink.hpp"
 #include "impl_cpu/tile.hpp"
 
 namespace octocell::cpu {
@@ -54,25 +55,10 @@ struct AsWritten {
   }
 };
 
-/// Doubts are kept for stage 6, or resolved block by block where nothing may be kept.
-class DoubtSink {
- public:
-  explicit DoubtSink(Workspace& w) : w_(w) {}
-  void append(std::span<const Pair> doubts) {
-    if (!w_.plan.count_only) return w_.doubts.append(doubts);
-    w_.doubts.count(doubts.size());
-    resolve_block(w_, doubts);
-  }
-
- private:
-  Workspace& w_;
-};
-
 template <Band band, typename RuleTest>
 class PairTester {
  public:
-  PairTester(Workspace& w, RuleTest rule)
-      : w_(w), rule_(rule), sure_(w.pairs), doubt_sink_(w), doubts_(doubt_sink_) {}
+  PairTester(Workspace& w, RuleTest rule) : w_(w), rule_(rule), sink_(w) {}
 
   void load_cell(Tile& tile, std::uint64_t begin, std::uint64_t count) const {
     const Object* objects = w_.ids[w_.current].objects.data();
@@ -116,20 +102,13 @@ class PairTester {
     for (std::size_t j = first; j < std::min(first + kLanes, b.size); ++j) {
       const Sphere column = b.sphere(j);
       if (!band_may_overlap(row, column) || !rule_.counts_here(a, i, b, j)) continue;
-      const Pair pair = make_pair_of(a.id(i), b.id(j));
-      if (band_is_sure<band>(row, column)) {
-        sure_.push(pair);
-      } else {
-        doubts_.push(pair);
-      }
+      sink_.take<band>(row, a.id(i), column, b.id(j));
     }
   }
 
   Workspace& w_;
   RuleTest rule_;
-  PairWriter sure_;
-  DoubtSink doubt_sink_;
-  ListWriter<Pair, 1024, DoubtSink> doubts_;
+  PairSink sink_;
 };
 
 /// All tile pairs of `count` members, tile rows shared out among the threads.
@@ -218,6 +197,7 @@ void pair_tests(Workspace& w) {
     w.candidates = count * (count - 1) / 2;
   }
   if (!w.may_test_pairs()) return;
+  if (w.plan.method == Method::half_shell) return half_shell::pair_tests(w);
   if (w.plan.band == Band::fast) return run<Band::fast>(w);
   run<Band::safe>(w);
 }

@@ -5,10 +5,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "harness/interface/chapter32.hpp"
 #include "harness/interface/object_word.hpp"
 #include "harness/interface/plan.hpp"
+#include "impl_cpu/half_shell/ordered_spheres.hpp"
 #include "impl_cpu/pair_list.hpp"
 #include "impl_cpu/shared_list.hpp"
 #include "impl_cpu/threads.hpp"
@@ -23,7 +25,7 @@ struct IdArrays {
   Buffer<std::uint32_t> cell_ids;
   Buffer<Object> objects;
   void allocate(std::uint64_t capacity) {
-    cell_ids.allocate(capacity);
+    cell_ids.allocate(capacity + OrderedSpheres::kMargin);
     objects.allocate(capacity);
   }
 };
@@ -39,14 +41,20 @@ struct Workspace {
   std::uint64_t id_count = 0;                   // ids needed; more than the capacity: none is valid
   Buffer<chapter32::ControlBits> control_bits;  // [spheres], rule chapter32 only
   SharedList<CellEntry> cells;
-  SharedList<std::uint32_t> crowded_cells;  // indices into cells: too large for one tile
-  SharedList<Pair> doubts;                  // in a count_only plan only counted: see resolve()
+  SharedList<std::uint32_t> crowded_cells;   // indices into cells: too large for one tile
+  OrderedSpheres ordered;                    // method half_shell only
+  std::vector<std::uint64_t> rows_of_block;  // of its stage 4: how many each block listed
+  SharedList<Pair> doubts;                   // in a count_only plan only counted: see resolve()
   PairList pairs;
 
   std::uint64_t candidates = 0;
+  Skips used;  // of those that only the data can allow
   std::optional<std::string> violation;
 
-  [[nodiscard]] bool ids_complete() const { return id_count <= ids[0].cell_ids.capacity(); }
+  /// Room for what the plan says.
+  void allocate();
+
+  [[nodiscard]] bool ids_complete() const { return id_count <= plan.capacity.ids; }
   /// Whether later stages have something sound to work on.
   [[nodiscard]] bool may_test_pairs() const {
     return !violation && ids_complete() && cells.complete() && candidates <= plan.candidate_limit;

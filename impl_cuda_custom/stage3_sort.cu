@@ -7,20 +7,14 @@
 #include "impl_cuda_custom/stages.cuh"
 
 namespace octocell::cuda_custom {
-namespace {
-
-KeysAndValues arrays(const IdArrays& ids) { return {ids.cell_ids.data(), ids.objects.data()}; }
-
-}  // namespace
 
 void sort(Workspace& w) {
   if (!w.sorter || w.sphere_count() == 0) return;
   if (w.half_shell()) {  // its stage 2 has counted the digits
-    return w.sorter->launch_passes(arrays(w.ids[0]), arrays(w.ids[1]), &w.state.data()->entries,
+    return w.sorter->launch_passes(w.side(0), w.side(1), &w.state.data()->entries,
                                    w.sort_scratch.data(), w.stream);
   }
-  w.sorter->launch(arrays(w.ids[0]), arrays(w.ids[1]), &w.state.data()->entries,
-                   w.sort_scratch.data(), w.stream);
+  w.sorter->launch(w.side(0), w.side(1), &w.state.data()->entries, w.sort_scratch.data(), w.stream);
 }
 
 }  // namespace octocell::cuda_custom

@@ -114,9 +114,8 @@ __global__ void __launch_bounds__(kBlockThreads) cell_index_kernel(Job job) {
 void cell_index(Workspace& w) {
   if (w.plan.method == Method::half_shell) return half_shell::cell_index(w);
   if (w.sphere_count() == 0 || w.plan.capacity.ids == 0) return;
-  const IdArrays& sorted = w.sorted();
-  const Job job = {sorted.cell_ids.data(), sorted.objects.data(), w.crowded_tiles.data(),
-                   w.state.data(), w.plan.rule};
+  const KeysAndValues sorted = w.sorted();
+  const Job job = {sorted.keys, sorted.values, w.crowded_tiles.data(), w.state.data(), w.plan.rule};
   cell_index_kernel<<<blocks_for(w.plan.capacity.ids, kIdsPerBlock), kBlockThreads, 0, w.stream>>>(
       job);
   cuda::check_launch();

@@ -167,8 +167,8 @@ Job job_of(Workspace& w) {
   const bool brute = w.brute_force();
   State* const state = w.state.data();
   return {.spheres = w.spheres.data(),
-          .cell_ids = brute ? nullptr : w.sorted().cell_ids.data(),
-          .objects = brute ? nullptr : w.sorted().objects.data(),
+          .cell_ids = brute ? nullptr : w.sorted().keys,
+          .objects = brute ? nullptr : w.sorted().values,
           .crowded_tiles = w.crowded_tiles.data(),
           .rule = {.every_pair = brute,
                    .rule = w.plan.rule,

@@ -55,11 +55,6 @@ struct CrowdedTile {
   std::uint32_t cell_end;
 };
 
-struct IdArrays {
-  cuda::DeviceArray<std::uint32_t> cell_ids;
-  cuda::DeviceArray<Object> objects;
-};
-
 /// Method half_shell: where the spheres of each cell begin among the sorted ones. One start for
 /// 2^shift ids, so that the list is not much longer than that of the spheres.
 struct StartsShape {
@@ -88,7 +83,7 @@ struct Workspace {
 
   cuda::DeviceArray<State> state;                          // [1]
   cuda::DeviceArray<Sphere> spheres;                       // [spheres]
-  IdArrays ids[2];                                         // [plan.capacity.ids]
+  cuda::DeviceArray<std::uint32_t> ids[2];                 // both sides of the sort: see side()
   cuda::DeviceArray<WideSphere> wide_spheres;              // [plan.capacity.ids / kWidePhantoms]
   cuda::DeviceArray<char> sort_scratch;                    // what the sorter asks for
   cuda::DeviceArray<chapter32::ControlBits> control_bits;  // [spheres], rule chapter32 only
@@ -105,7 +100,11 @@ struct Workspace {
     return plan.method == Method::half_shell && sphere_count() > 0 && plan.levels.count > 0 &&
            plan.capacity.ids >= sphere_count();
   }
-  [[nodiscard]] const IdArrays& sorted() const { return ids[sorter ? sorter->result_side() : 0]; }
+  /// Cell ids (keys) with their objects (values), [plan.capacity.ids]: on side 0 before the sort.
+  [[nodiscard]] KeysAndValues side(int which) const {
+    return arrays_in(ids[which].data(), plan.capacity.ids);
+  }
+  [[nodiscard]] KeysAndValues sorted() const { return side(sorter ? sorter->result_side() : 0); }
 
   /// Calls visit(array, elements) for each array, with the room that the plan asks for.
   template <typename Visit>
@@ -113,10 +112,7 @@ struct Workspace {
     const Capacities& room = plan.capacity;
     visit(state, 1);
     visit(spheres, sphere_count());
-    for (IdArrays& side : ids) {
-      visit(side.cell_ids, room.ids);
-      visit(side.objects, room.ids);
-    }
+    for (auto& side : ids) visit(side, words_of_side(room.ids));
     const bool phantoms = plan.method == Method::home_phantom;
     visit(wide_spheres, phantoms ? room.ids / kWidePhantoms : 0);
     visit(sort_scratch, sorter ? sorter->scratch_bytes() : 0);

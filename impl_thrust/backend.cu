@@ -23,6 +23,7 @@ class ThrustBackend final : public GridPairFinder {
     w_.plan = plan;
     w_.id_count = w_.cell_count = 0;
     w_.system.scratch().release();
+    w_.levels = w_.system.take(w_.plan.levels);
     update(scene);
     w_.allocate();
   }

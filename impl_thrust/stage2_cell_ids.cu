@@ -11,7 +11,7 @@
 
 #include "harness/interface/as_written.hpp"
 #include "harness/interface/grid.hpp"
-#include "impl_thrust/stages.cuh"
+#include "impl_thrust/half_shell/half_shell.cuh"
 
 namespace octocell::on_thrust {
 namespace {
@@ -145,6 +145,7 @@ template <typename System>
 void cell_ids(Workspace<System>& w) {
   w.id_count = w.sphere_count();
   if (w.violation || w.sphere_count() == 0) return;
+  if (w.half_shell()) return half_shell::cell_ids(w);
   switch (w.plan.rule) {
     case Rule::lowest_cell:
       return list_cells(w, GridCells{w.plan.grid, false});

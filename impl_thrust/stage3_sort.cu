@@ -3,6 +3,7 @@
 // Reads and writes cell ids with their objects, grouped by cell, homes before phantoms.
 // Cost: all 32 bits of the key, whatever the grid uses; Thrust takes no number of bits.
 // Idea: stable_sort_by_key, since only stability keeps homes first; sort_by_key promises none.
+//       Ids of half_shell may come in order (a scene stored row by row): is_sorted proves it.
 #include <thrust/sort.h>
 
 #include "impl_thrust/stages.cuh"
@@ -13,6 +14,8 @@ template <typename System>
 void sort(Workspace<System>& w) {
   if (w.violation || !w.ids_complete()) return;
   std::uint32_t* const keys = w.cell_ids.data();
+  const bool may_be_sorted = w.half_shell() && w.plan.allowed.has(Skip::sort);
+  if (may_be_sorted && thrust::is_sorted(w.system.policy(), keys, keys + w.id_count)) return;
   thrust::stable_sort_by_key(w.system.policy(), keys, keys + w.id_count, w.objects.data());
 }
 

@@ -13,7 +13,7 @@
 #include <thrust/scan.h>
 #include <thrust/transform_reduce.h>
 
-#include "impl_thrust/stages.cuh"
+#include "impl_thrust/half_shell/half_shell.cuh"
 
 namespace octocell::on_thrust {
 namespace {
@@ -104,6 +104,7 @@ template <typename System>
 void cell_index(Workspace<System>& w) {
   w.cell_count = 0;
   if (w.violation || !w.ids_complete() || w.id_count == 0) return;
+  if (w.half_shell()) return half_shell::cell_index(w);
   std::uint32_t* const begins = w.cell_begins.data();
   const auto all = static_cast<std::uint64_t>(thrust::copy_if(w.system.policy(), Positions(0),
                                                               Positions(w.id_count), begins,

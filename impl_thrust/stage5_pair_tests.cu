@@ -5,15 +5,12 @@
 // Idea: count, scan, write. One work item an entry meets the entries after it in its cell; what it
 //       finds is counted, a scan gives each row its place, and rows that found something test again
 //       and write.
-#include <thrust/for_each.h>
-#include <thrust/functional.h>
-#include <thrust/scan.h>
 #include <thrust/sequence.h>
-#include <thrust/transform.h>
-#include <thrust/transform_reduce.h>
 
 #include "harness/interface/as_written.hpp"
-#include "impl_thrust/stages.cuh"
+#include "impl_thrust/found_pairs.cuh"
+#include "impl_thrust/gather.cuh"
+#include "impl_thrust/half_shell/half_shell.cuh"
 
 namespace octocell::on_thrust {
 namespace {
@@ -55,10 +52,6 @@ struct RowTest {
   Band band;
   RuleTest rule;
 
-  [[nodiscard]] OCTOCELL_HD bool sure(const Sphere& p, const Sphere& q) const {
-    return band == Band::fast ? band_is_sure<Band::fast>(p, q) : band_is_sure<Band::safe>(p, q);
-  }
-
   template <typename OnSure, typename OnDoubt>
   OCTOCELL_HD void run(std::uint64_t k, OnSure on_sure, OnDoubt on_doubt) const {
     const Object a = objects[k];
@@ -71,7 +64,7 @@ struct RowTest {
       const Object b = objects[j];
       if (!rule.counts_here(a, p, b, q)) continue;
       const Pair pair = make_pair_of(a & kIdMask, b & kIdMask);
-      if (sure(p, q)) {
+      if (is_sure(band, p, q)) {
         on_sure(pair);
       } else {
         on_doubt(pair);
@@ -80,100 +73,16 @@ struct RowTest {
   }
 };
 
-struct CountRow {
-  RowTest row;
-  OCTOCELL_HD Found operator()(std::uint64_t k) const {
-    Found found = {0, 0};
-    if (k == row.entries) return found;  // one past the last: the sum of all
-    row.run(
-        k, [&](Pair) { ++found.sure; }, [&](Pair) { ++found.doubts; });
-    return found;
-  }
-};
-
-struct FoundByBoth {
-  OCTOCELL_HD Found operator()(const Found& a, const Found& b) const {
-    return {a.sure + b.sure, a.doubts + b.doubts};
-  }
-};
-
-struct WriteRow {
-  RowTest row;
-  const Found* found_before;
-  Pair* pairs;   // none: not wanted, or no room
-  Pair* doubts;  // likewise
-  OCTOCELL_HD void operator()(std::uint64_t k) const {
-    Found at = found_before[k];
-    const Found end = found_before[k + 1];
-    const bool writes_pairs = pairs != nullptr && at.sure != end.sure;
-    const bool writes_doubts = doubts != nullptr && at.doubts != end.doubts;
-    if (!writes_pairs && !writes_doubts) return;
-    row.run(
-        k,
-        [&](Pair pair) {
-          if (writes_pairs) pairs[at.sure++] = pair;
-        },
-        [&](Pair pair) {
-          if (writes_doubts) doubts[at.doubts++] = pair;
-        });
-  }
-};
-
-struct SumRow {
-  RowTest row;
-  const Found* found_before;
-  OCTOCELL_HD std::uint64_t operator()(std::uint64_t k) const {
-    std::uint64_t sum = 0;
-    if (found_before[k].sure == found_before[k + 1].sure) return sum;
-    row.run(
-        k, [&](Pair pair) { sum += mix_pair(pair); }, [](Pair) {});
-    return sum;
-  }
-};
-
-/// The sphere of an entry, with the radius that level 1 of the predicate uses.
-struct Gather {
-  const Sphere* spheres;
-  Band band;
-  OCTOCELL_HD Sphere operator()(Object object) const {
-    Sphere s = spheres[object & kIdMask];
-    s.r = band == Band::fast ? band_radius<Band::fast>(s.r) : band_radius<Band::safe>(s.r);
-    return s;
-  }
-};
-
 template <typename System>
 RowTest gather_rows(Workspace<System>& w) {
   Object* const objects = w.objects.data();
   const std::uint64_t entries = w.entries();
   if (w.brute_force()) thrust::sequence(w.system.policy(), objects, objects + entries);
-  thrust::transform(w.system.policy(), objects, objects + entries, w.members.data(),
-                    Gather{w.spheres, w.plan.band});
+  gather_members(w);
   const RuleTest rule = {w.brute_force(), w.plan.rule, w.control_bits.data(),
                          as_written::cell_side(w.plan.facts.r_max)};
   return {w.members.data(), objects,     w.brute_force() ? nullptr : w.cell_end.data(),
           entries,          w.plan.band, rule};
-}
-
-template <typename System>
-void test_rows(Workspace<System>& w, const RowTest& row) {
-  const Positions first(0);
-  const Positions end(row.entries);
-  Found* const found = w.found.data();
-  thrust::transform(w.system.policy(), first, end + 1, found, CountRow{row});
-  thrust::exclusive_scan(w.system.policy(), found, found + row.entries + 1, found, Found{0, 0},
-                         FoundByBoth{});
-  const Found total = w.system.read(found + row.entries);
-  w.sure_count = w.pair_count = total.sure;
-  w.doubt_count = total.doubts;
-  const bool store = !w.plan.count_only && w.pairs_complete();
-  if (w.plan.count_only) {
-    w.checksum = thrust::transform_reduce(w.system.policy(), first, end, SumRow{row, found},
-                                          std::uint64_t{0}, thrust::plus<std::uint64_t>{});
-  }
-  thrust::for_each(w.system.policy(), first, end,
-                   WriteRow{row, found, store ? w.pairs.data() : nullptr,
-                            w.doubts_complete() ? w.doubts.data() : nullptr});
 }
 
 }  // namespace
@@ -183,7 +92,9 @@ void pair_tests(Workspace<System>& w) {
   w.sure_count = w.pair_count = w.doubt_count = w.checksum = 0;
   if (w.sphere_count() == 0) return;
   if (w.brute_force()) w.candidates = w.sphere_count() * (w.sphere_count() - 1) / 2;
-  if (w.may_test_pairs()) test_rows(w, gather_rows(w));
+  if (!w.may_test_pairs()) return;
+  if (w.half_shell()) return half_shell::pair_tests(w);
+  count_scan_write(w, gather_rows(w));
 }
 
 OCTOCELL_FOR_BOTH_SYSTEMS(pair_tests);

@@ -24,6 +24,12 @@ struct Found {
   std::uint64_t doubts;
 };
 
+/// Method half_shell: the columns of one y and one z of a level that hold spheres.
+struct Row {
+  std::uint32_t first_id;  // of its column 0
+  std::uint32_t begin;     // its spheres end where the next row's begin
+};
+
 /// Everything the stages share. Sized by the plan in allocate(); the stages allocate nothing but
 /// Thrust's scratch memory, which is kept.
 template <typename System>
@@ -35,6 +41,7 @@ struct Workspace {
   Plan plan;
   SceneView scene;                  // on the host: words about a sphere are made of it
   const Sphere* spheres = nullptr;  // the same, where the system computes
+  const Levels* levels = nullptr;   // the plan's, there
 
   Array<std::uint64_t> phantoms_before;        // [spheres + 1]
   Array<std::uint32_t> cell_ids;               // [plan.capacity.ids]
@@ -44,6 +51,7 @@ struct Workspace {
   Array<CellEntry> cells;                      // [plan.capacity.cells]
   Array<std::uint32_t> cell_end;               // [plan.capacity.ids] of the cell an entry lies in
   Array<Sphere> members;                       // [entries] each entry's sphere, with band radius
+  Array<Row> rows;                             // [plan.capacity.cells + 1], half_shell only
   Array<Found> found;                          // [entries + 1]
   Array<Pair> doubts;                          // [plan.capacity.doubts]
   Array<Pair> pairs;                           // [plan.capacity.pairs]
@@ -60,6 +68,7 @@ struct Workspace {
 
   [[nodiscard]] std::uint64_t sphere_count() const { return scene.spheres.size(); }
   [[nodiscard]] bool brute_force() const { return plan.method == Method::brute_force; }
+  [[nodiscard]] bool half_shell() const { return plan.method == Method::half_shell; }
   /// What stage 5 has one work item for each of: spheres, or ids.
   [[nodiscard]] std::uint64_t entries() const { return brute_force() ? sphere_count() : id_count; }
 
@@ -75,13 +84,18 @@ struct Workspace {
   void allocate() {
     const Capacities& room = plan.capacity;
     const std::uint64_t most_entries = brute_force() ? sphere_count() : room.ids;
-    if (!brute_force()) phantoms_before.allocate(sphere_count() + 1);
-    if (plan.rule == Rule::chapter32) control_bits.allocate(sphere_count());
-    for (auto* of_ids : {&cell_ids, &cell_begins, &cell_end}) of_ids->allocate(room.ids);
+    for (auto* of_ids : {&cell_ids, &cell_begins}) of_ids->allocate(room.ids);
     objects.allocate(most_entries);
     members.allocate(most_entries);
     found.allocate(most_entries + 1);
-    cells.allocate(room.cells);
+    if (half_shell()) {
+      rows.allocate(room.cells + 1);
+    } else {
+      if (!brute_force()) phantoms_before.allocate(sphere_count() + 1);
+      if (plan.rule == Rule::chapter32) control_bits.allocate(sphere_count());
+      cell_end.allocate(room.ids);
+      cells.allocate(room.cells);
+    }
     doubts.allocate(room.doubts);
     pairs.allocate(room.pairs);
   }

@@ -18,6 +18,7 @@
 
 #include "harness/interface/buffer.hpp"
 #include "harness/interface/clock.hpp"
+#include "harness/interface/plan.hpp"
 #include "harness/interface/sphere.hpp"
 #include "impl_thrust/scratch.cuh"
 
@@ -38,6 +39,7 @@ class HostSystem {
 
   /// The spheres as the stages see them: where they are.
   const Sphere* take(SceneView scene) { return scene.spheres.data(); }
+  const Levels* take(const Levels& levels) { return &levels; }
   template <typename T>
   T read(const T* element) {
     return *element;
@@ -75,6 +77,12 @@ class CudaSystem {
     copy(spheres_.data(), scene.spheres.data(), scene.spheres.size_bytes());
     return spheres_.data();
   }
+  /// Functors carry a pointer: a kilobyte of levels in each of them would be copied by each thread.
+  const Levels* take(const Levels& levels) {
+    levels_.allocate(1);
+    copy(levels_.data(), &levels, sizeof levels);
+    return levels_.data();
+  }
   template <typename T>
   T read(const T* element) {
     T value;
@@ -102,6 +110,7 @@ class CudaSystem {
   cudaStream_t stream_ = nullptr;
   Scratch<cuda::Memory> scratch_;
   cuda::DeviceArray<Sphere> spheres_;
+  cuda::DeviceArray<Levels> levels_;
 };
 
 #define OCTOCELL_FOR_BOTH_SYSTEMS(stage)         \

@@ -14,13 +14,7 @@ inline std::unique_ptr<Workspace> workspace_for(SceneView scene, const PlanOptio
   w->plan = make_plan(measure(scene), options);
   w->scene = scene;
   w->threads = std::make_unique<Threads>(w->plan.threads);
-  const Capacities& room = w->plan.capacity;
-  for (IdArrays& ids : w->ids) ids.allocate(room.ids);
-  w->control_bits.allocate(scene.spheres.size());
-  w->cells.allocate(room.cells);
-  w->crowded_cells.allocate(room.ids / kTileSpheres + 1);
-  w->doubts.allocate(room.doubts);
-  w->pairs.allocate(room.pairs);
+  w->allocate();
   return w;
 }
 

@@ -71,8 +71,9 @@ class Octocell:
         """The flags of `find` for each row of `check`, whether it can run here or not."""
         rows: list[tuple[str, ...]] = []
         for backend in self.listed("backends"):
+            rows.append(("--backend", backend, "--method", "planned"))
             rows += [("--backend", backend, "--rule", rule) for rule in RULES]
-            rows.append(("--backend", backend, "--method", "brute_force"))
+            rows += [("--backend", backend, "--method", m) for m in ("half_shell", "brute_force")]
         return rows + [("--backend", name) for name in self.listed("baselines")]
 
 

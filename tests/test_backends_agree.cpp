@@ -205,7 +205,7 @@ TEST(LowestCell, IsExactWhenIdsWrap) {
       const Outcome outcome = find_completely(*finder, {spheres}, {.cell_side = side});
       EXPECT_EQ(finder->digest(), digest_of(reference::exact_pairs(spheres)))
           << offset << "\n"
-          << explain(outcome.plan);
+          << name_of(outcome.plan.method);
     }
   }
 }

@@ -124,7 +124,8 @@ TEST(CellIds, AFullBufferIsCountedToTheEnd) {
   const auto enough = after_cell_ids(scene, {});
   auto w = workspace_for(scene.view(), {});
   for (IdArrays& ids : w->ids) ids = IdArrays();
-  for (IdArrays& ids : w->ids) ids.allocate(5001);
+  w->plan.capacity.ids = 5001;
+  w->allocate();
   bounds(*w);
   cell_ids(*w);
   EXPECT_FALSE(w->ids_complete());

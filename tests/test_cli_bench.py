@@ -24,9 +24,9 @@ BACKEND_STAGES = ["bounds", "cell_ids", "sort", "cell_index", "pair_tests", "res
 CONTEXT = """date commit dirty version machine compiler flags instruction_set build_type libraries
 preset rounds candidate_limit gpu finished""".split()
 GROUP = "scene n spec real unavailable frames truth".split()
-ROW = """name backend kind method rule scene n threads run exhibit known_faults status reason pairs
+ROW = """name backend kind method rule skips scene n threads run exhibit known_faults status reason pairs
 checksum missed false duplicates candidates doubts iterations total_ms stage_ms marked_total_ms
-plan_ms fused stage_bytes peak_bytes device_bytes output_bytes""".split()
+plan_ms plan fused stage_bytes peak_bytes device_bytes output_bytes""".split()
 
 Json = dict[str, Any]
 
@@ -93,7 +93,7 @@ def test_names_are_keys_with_values(tiny: Json) -> None:
         head, *parts = row["name"].split("/")
         assert head == "find_pairs"
         named = dict(part.split(":") for part in parts)
-        keys = "backend method rule scene n threads run".split()
+        keys = "backend method rule skips scene n threads run".split()
         assert named == {key: str(row[key]) for key in keys if row[key] is not None}
         assert list(named) == [key for key in keys if key in named]
 
@@ -139,6 +139,7 @@ def test_rows_hold_what_the_schema_says(tiny_runs: list[Json]) -> None:
         baseline = row["kind"] == "baseline"
         assert row["kind"] in ("backend", "baseline")
         assert (row["doubts"] is None) == (row["plan_ms"] is None) == baseline
+        assert (row["plan"] is None) == baseline
         assert row["candidates"] >= row["pairs"]
         assert row["output_bytes"] == 8 * row["pairs"]
         assert row["iterations"] >= 1

@@ -15,7 +15,7 @@ from hard_scenes import SCENES, Spheres
 
 BACKEND_STAGES = ["bounds", "cell_ids", "sort", "cell_index", "pair_tests", "resolve"]
 KEYS = (
-    "scene n backend method rule threads pairs checksum candidates doubts runs "
+    "scene n backend method planned rule threads pairs checksum candidates doubts runs "
     "plan_ms total_ms stage_ms"
 ).split()
 
@@ -162,9 +162,10 @@ def test_json_has_every_key(octocell: Octocell) -> None:
     assert list(answer) == KEYS
     assert (answer["backend"], answer["method"], answer["rule"]) == (
         "impl_cpu",
-        "home_phantom",
-        "lowest_cell",
+        "half_shell",
+        None,
     )
+    assert answer["planned"]
     assert list(answer["stage_ms"]) == BACKEND_STAGES
     assert sum(answer["stage_ms"].values()) <= answer["total_ms"] + 1e-6
     assert min(answer["stage_ms"].values()) >= 0

@@ -110,7 +110,8 @@ TEST_P(Grids, DivideUnitsByTheReciprocalExactly) {
   std::mt19937 random(4);
   for (int k = 0; k < 100000; ++k) {
     const std::uint64_t unit = k < 1000 ? static_cast<unsigned>(k) : random() >> 2;  // below 2^30
-    ASSERT_EQ(unit * g.width[0].reciprocal >> g.width[0].reciprocal_bits, unit / g.width[0].units) << unit;
+    ASSERT_EQ(unit * g.width[0].reciprocal >> g.width[0].reciprocal_bits, unit / g.width[0].units)
+        << unit;
   }
 }
 

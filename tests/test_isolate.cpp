@@ -32,7 +32,11 @@ class Fake final : public PairFinder {
     clock.start();
     act_();
   }
-  Counts counts() override { return {.pairs = 1}; }
+  Counts counts() override {
+    Counts found;
+    found.pairs = 1;
+    return found;
+  }
   std::vector<Pair> download() override { return {{1, 2}}; }
   PairDigest digest() override { return digest_of(download()); }
 

@@ -5,6 +5,7 @@
 
 #include "harness/interface/chapter32.hpp"
 #include "harness/interface/error.hpp"
+#include "harness/planner/explain.hpp"
 #include "harness/planner/planner.hpp"
 #include "harness/scenes/scenes.hpp"
 
@@ -18,7 +19,7 @@ Plan plan_for(const char* spec, const PlanOptions& options = {}) {
 TEST(Planner, AnEmptySceneNeedsNothing) {
   const Plan plan = make_plan(measure({}));
   EXPECT_EQ(plan.facts.sphere_count, 0U);
-  EXPECT_FALSE(explain(plan).empty());
+  EXPECT_FALSE(to_text(explain(measure({}), plan, {})).empty());
 }
 
 TEST(Planner, Chapter32CellsAreThreeRootTwoRadiiWide) {
@@ -67,7 +68,7 @@ TEST(Planner, CellsFollowTheClustersNotTheirBox) {
 TEST(Planner, GrowsEveryBufferToWhatWasFoundAndShrinksNone) {
   Plan plan = plan_for("gas:n=1000");
   plan.capacity = {.ids = 10, .cells = 10, .doubts = 10, .pairs = 10};
-  const Plan next = grow(plan, {.ids = 100, .cells = 5, .doubts = 20, .pairs = 7});
+  const Plan next = grow(plan, {.ids = 100, .cells = 5, .doubts = 20, .pairs = 7, .used = {}});
   EXPECT_EQ(next.capacity.ids, 100U);
   EXPECT_GE(next.capacity.cells, 10U);
   EXPECT_EQ(next.capacity.doubts, 20U);
@@ -94,10 +95,107 @@ TEST(Planner, NamesTheFirstInvalidSphere) {
   }
 }
 
-TEST(Planner, ExplainsTheSceneTheCellsTheSortAndThePredicate) {
-  const std::string text = explain(plan_for("poly:n=1000"));
-  for (const char* word : {"spheres: 1000", "lowest_cell", "cells:", "passes", "fast band"}) {
+PlanOptions planned(Skips allowed = Skips::all(), Skips forced = {}) {
+  return {.method = {}, .allowed = allowed, .forced = forced};
+}
+
+TEST(Planner, TestsAllPairsOfFewSpheres) {
+  const Plan plan = plan_for("gas:n=60", planned());
+  EXPECT_EQ(plan.method, Method::brute_force);
+  EXPECT_TRUE(plan.taken.has(Skip::grid));
+  EXPECT_NE(plan_for("gas:n=60", planned(Skips::all().without(Skip::grid))).method,
+            Method::brute_force);
+}
+
+TEST(Planner, NeedsOneIdASphereWhereRadiiAreAlike) {
+  const Plan plan = plan_for("gas:n=20000", planned());
+  ASSERT_EQ(plan.method, Method::half_shell);
+  EXPECT_EQ(plan.levels.count, 1);
+  EXPECT_GE(plan.levels.level[0].grid.cell_side, 2.0 * plan.facts.r_max);
+  EXPECT_EQ(plan_for("gas:n=20000", planned(Skips::all().without(Skip::phantoms))).method,
+            Method::home_phantom);
+}
+
+TEST(Planner, GivesAGiantALevelOfItsOwn) {
+  const Plan plan = plan_for("giant:n=20000", planned());
+  ASSERT_EQ(plan.method, Method::half_shell);
+  ASSERT_EQ(plan.levels.count, 2);
+  EXPECT_EQ(plan.levels.level[0].r_max, 0.5F);
+  EXPECT_EQ(plan.levels.level[1].r_max, plan.facts.r_max);
+  EXPECT_GE(plan.levels.level[1].first_id, plan.levels.level[0].ids);
+  const Skips one_level = Skips::all().without(Skip::wide_cells);
+  EXPECT_FALSE(plan_for("giant:n=20000", planned(one_level)).taken.has(Skip::wide_cells));
+}
+
+TEST(Planner, SeesThatASceneIsFlat) {
+  EXPECT_TRUE(plan_for("discs:n=20000", planned()).taken.has(Skip::layers));
+  EXPECT_FALSE(plan_for("gas:n=20000", planned()).taken.has(Skip::layers));
+  const Skips thick = Skips::all().without(Skip::layers);
+  const Plan plan = plan_for("discs:n=20000", {.method = Method::half_shell, .allowed = thick});
+  EXPECT_GE(plan.levels.level[0].grid.cell_count[2], 2U);
+}
+
+TEST(Planner, CellsOfEveryLevelAreADiameterWide) {
+  for (const char* scene : {"gas:n=5000", "poly:n=5000,ratio=1e6", "discs:n=5000", "giant:n=5000",
+                            "shifted:n=5000,offset=1e7", "chain:n=5000", "identical:n=500"}) {
+    const Plan plan = plan_for(scene, {.method = Method::half_shell});
+    std::uint64_t next_id = 0;
+    for (int k = 0; k < plan.levels.count; ++k) {
+      const Level& level = plan.levels.level[k];
+      EXPECT_GE(level.grid.cell_side, 2.0 * level.r_max) << scene;
+      EXPECT_GE(level.reach * level.grid.width[0].units, level.grid.width[1].units) << scene;
+      EXPECT_EQ(level.first_id, next_id) << scene;
+      next_id += level.ids;
+      for (int a = 0; a < 3; ++a) {
+        if (level.grid.wraps(a)) {
+          EXPECT_GE(level.grid.period(a), 2 * level.reach + 2) << scene;
+        }
+      }
+    }
+    EXPECT_LE(next_id, std::uint64_t{1} << plan.key_bits) << scene;
+    EXPECT_LE(plan.key_bits, kMaxKeyBits) << scene;
+  }
+}
+
+TEST(Planner, TakesWhatIsForcedOrSaysWhyItCannot) {
+  EXPECT_EQ(plan_for("gas:n=5000", planned(Skips::all(), Skips().with(Skip::grid))).method,
+            Method::brute_force);
+  EXPECT_EQ(plan_for("gas:n=50", planned(Skips::all(), Skips().with(Skip::phantoms))).method,
+            Method::half_shell);
+  const Skips levels = Skips().with(Skip::wide_cells).with(Skip::phantoms);
+  EXPECT_GE(plan_for("poly:n=5000", planned(Skips::all(), levels)).levels.count, 2);
+  for (const Skip skip : {Skip::wide_cells, Skip::layers}) {
+    try {
+      plan_for("gas:n=5000", planned(Skips::all(), Skips().with(skip)));
+      ADD_FAILURE() << name_of(skip) << " was accepted";
+    } catch (const LimitError& refusal) {
+      EXPECT_NE(std::string(refusal.what()).find(name_of(skip)), std::string::npos);
+    }
+  }
+}
+
+TEST(Planner, SortsAllBitsIfItMustNotKnowBetter) {
+  const Skips allowed = Skips::all().without(Skip::key_bits);
+  EXPECT_EQ(plan_for("gas:n=5000", planned(allowed)).key_bits, 32);
+  EXPECT_LT(plan_for("gas:n=5000", planned()).key_bits, 32);
+}
+
+TEST(Planner, ExplainsEveryDecision) {
+  const Scene scene = generate("giant:n=20000");
+  const SceneStats stats = measure(scene.view());
+  const Plan plan = make_plan(stats, planned());
+  const Explanation why = explain(stats, plan, planned(), Skips());
+  const std::string text = to_text(why);
+  for (const char* word : {"20000 spheres", "half_shell", "level 1", "radix sort", "SKIPS phantoms",
+                           "SKIPS wide_cells", "keeps grid", "expected"}) {
     EXPECT_NE(text.find(word), std::string::npos) << word << " in\n" << text;
+  }
+  for (const Decision& d : why.decisions) {
+    EXPECT_FALSE(d.fact.empty()) << name_of(d.skip);
+    if (d.taken && (d.skip == Skip::phantoms || d.skip == Skip::wide_cells)) {
+      ASSERT_TRUE(d.expected_saving.has_value());
+      EXPECT_GT(*d.expected_saving, 0.0);
+    }
   }
 }
 

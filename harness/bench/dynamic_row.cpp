@@ -64,6 +64,7 @@ void DynamicRow::verify_or_throw(double) {
   const std::vector<StageTimes> times = play(Marks::on);
   record_device_memory();
   result_.counts = finder_->counts();
+  result_.plan = plan_;
   for (std::size_t frame = std::min(kWarmupFrames, times.size() - 1); frame < times.size();
        ++frame) {
     record_stages(times[frame]);

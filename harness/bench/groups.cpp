@@ -138,6 +138,31 @@ std::vector<Group> gpu_groups() {
   return groups;
 }
 
+/// Every scene, and some that a plain grid cannot bear.
+std::vector<Group> ablation_groups() {
+  constexpr int kRounds = 41;
+  constexpr std::string_view kHard[] = {"discs:n=100000",
+                                        "chain:n=100000",
+                                        "poly:n=100000,ratio=1e6",
+                                        "shifted:n=100000,offset=1e7",
+                                        "lattice:n=100000,shuffle=1",
+                                        "gas:n=100000,phi=1e-4"};
+  std::vector<Group> groups;
+  for (const std::uint64_t n : {100ULL, 10'000ULL}) add(groups, "gas", n, kRounds, Rows::ablation);
+  for (const auto scene : kScenes) add(groups, scene, 100'000, kRounds, Rows::ablation);
+  for (const auto scene : kHard) {
+    groups.push_back(custom(std::string(scene)));
+    groups.back().scene = scene.substr(0, scene.find(':'));
+    const std::size_t comma = scene.find(',');
+    if (comma != std::string_view::npos) {
+      groups.back().scene += fmt::format("({})", scene.substr(comma + 1));
+    }
+    groups.back().rounds = kRounds;
+    groups.back().rows = Rows::ablation;
+  }
+  return groups;
+}
+
 /// The caller's scenes, set in motion if the options say so.
 std::vector<Group> custom_groups(const BenchOptions& options) {
   std::vector<Group> groups;
@@ -169,10 +194,14 @@ Footage footage_of(const Group& group) {
 
 std::vector<Group> choose_groups(const BenchOptions& options) {
   const std::map<std::string_view, std::vector<Group> (*)()> presets = {
-      {"quick", quick_groups}, {"full", full_groups}, {"gpu", gpu_groups}};
+      {"quick", quick_groups},
+      {"full", full_groups},
+      {"gpu", gpu_groups},
+      {"ablation", ablation_groups}};
   const auto preset = presets.find(options.preset);
   if (preset == presets.end()) {
-    throw InputError(fmt::format("unknown preset '{}'; known: quick, full, gpu", options.preset));
+    throw InputError(
+        fmt::format("unknown preset '{}'; known: quick, full, gpu, ablation", options.preset));
   }
   std::vector<Group> groups = custom_groups(options);
   if (groups.empty()) groups = preset->second();

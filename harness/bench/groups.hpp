@@ -19,6 +19,7 @@ enum class Rows : std::uint8_t {
   fast,            // the default rule of each backend, and each library's fastest
   usual,           // all methods and rules, and the broad phases that are meant for many spheres
   every,           // those that look at nearly all pairs, too
+  ablation,        // the plan with and without each skip, and each method that can be forced
 };
 
 /// Rows that are interleaved with each other: one scene at one size.

@@ -20,8 +20,9 @@ Json identity(const Group& group, const RowSpec& row) {
   return {{"name", row_name(row, group)},
           {"backend", how.backend->name},
           {"kind", how.is_baseline() ? "baseline" : "backend"},
-          {"method", how.is_baseline() ? Json() : Json(name_of(how.method))},
+          {"method", how.is_baseline() ? Json() : Json(how.method_name())},
           {"rule", how.has_rule() ? Json(name_of(how.rule)) : Json()},
+          {"skips", row.skips.empty() ? Json() : Json(row.skips)},
           {"scene", group.scene},
           {"n", group.n},
           {"threads", row.threads},
@@ -44,7 +45,25 @@ void add_answer(Json& json, const RowSpec& row, const RowResult& result) {
   json["doubts"] = row.how.is_baseline() ? Json() : unless_skipped(result.counts.doubts);
 }
 
+/// What was chosen for the scene, and what was left out.
+Json plan_of(const RowResult& result) {
+  Json skips = Json::array();
+  const Skips left_out = result.plan.taken.either(result.counts.used);
+  for (std::size_t k = 0; k < kSkipCount; ++k) {
+    if (left_out.has(static_cast<Skip>(k))) skips.push_back(kSkips[k].name);
+  }
+  const int passes = result.plan.method == Method::brute_force
+                         ? 0
+                         : sort_passes(result.plan.key_bits, result.plan.sort_digit_bits);
+  return {{"method", name_of(result.plan.method)},
+          {"levels", result.plan.levels.count},
+          {"key_bits", result.plan.key_bits},
+          {"sort_passes", passes},
+          {"skips", skips}};
+}
+
 void add_times(Json& json, const Group& group, const RowSpec& row, const RowResult& result) {
+  const Implementation& how = row.how;
   json["iterations"] = result.iterations;
   json["total_ms"] = result.total_ms;
   json["stage_ms"] = Json::object();
@@ -53,10 +72,11 @@ void add_times(Json& json, const Group& group, const RowSpec& row, const RowResu
   }
   json["stage_bytes"] = Json::object();
   if (row.how.backend->device && !result.skipped) {
-    for (const auto& [stage, bytes] : stage_bytes(row.how.method, group.n, result.counts)) {
+    for (const auto& [stage, bytes] : stage_bytes(result.plan.method, group.n, result.counts)) {
       json["stage_bytes"][std::string(name_of(stage))] = bytes;
     }
   }
+  json["plan"] = how.is_baseline() || result.skipped ? Json() : plan_of(result);
   json["marked_total_ms"] = result.marked_total_ms;
   json["plan_ms"] = row.how.is_baseline() ? Json() : Json(result.plan_ms);
   json["fused"] = Json::object();

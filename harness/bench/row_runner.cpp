@@ -14,6 +14,7 @@ namespace octocell::bench {
 RowRunner::RowRunner(const RowSpec& row, const Subject& subject, std::uint64_t candidate_limit)
     : row_(row), subject_(subject) {
   options_ = row.how.plan_options(row.threads);
+  options_.allowed = options_.allowed.both(row.allowed);
   options_.candidate_limit = candidate_limit;
 }
 

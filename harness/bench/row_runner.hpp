@@ -30,6 +30,7 @@ struct RowResult {
   PairDigest digest;
   reference::Comparison difference;
   Counts counts;
+  Plan plan;  // ours: what was decided for the scene
   double plan_ms = 0.0;
   std::uint64_t iterations = 1;
   std::vector<double> total_ms;         // one a round

@@ -9,6 +9,13 @@
 namespace octocell::bench {
 namespace {
 
+/// The order in which the report's waterfall adds them.
+constexpr Skip kFromTextToPlan[] = {Skip::key_bits,   Skip::safe_band,  Skip::phantoms,
+                                    Skip::layers,     Skip::wide_cells, Skip::passes,
+                                    Skip::sort,       Skip::grid,       Skip::unchanged,
+                                    Skip::few_movers, Skip::skin};
+static_assert(std::size(kFromTextToPlan) == kSkipCount);
+
 constexpr std::string_view kFastBaselines[] = {"fcl_dynamic_aabb_tree_morton",
                                                "fcl_dynamic_aabb_tree_array_morton", "bullet_dbvt"};
 // Sweeps along one axis, one list for all, or cells in lists: quadratic, or nearly.
@@ -20,28 +27,56 @@ bool has_time_for(const Implementation& how, Rows rows) {
   const auto is_among = [&](const auto& names) {
     return std::ranges::find(names, how.backend->name) != std::end(names);
   };
-  const bool is_default = how.has_rule() && how.rule == Rule::lowest_cell;
+  const bool is_default = how.planned();
   const bool on_device = how.backend->device;
   if (rows == Rows::device_default) return on_device && is_default;
+  if (rows == Rows::ablation) return !how.is_baseline() && !how.exhibit();
   if (rows == Rows::device) return on_device;
   if (rows == Rows::headline) return on_device || is_default;
-  if (rows == Rows::fast) return how.is_baseline() ? is_among(kFastBaselines) : how.has_rule();
+  if (rows == Rows::fast)
+    return how.is_baseline() ? is_among(kFastBaselines) : how.method != Method::brute_force;
   return rows == Rows::every || !is_among(kSlowBaselines);
 }
 
 std::vector<int> thread_counts(const Implementation& how) {
   const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const bool headline = how.has_rule() && how.rule == Rule::lowest_cell;
-  if (!how.backend->threaded || !headline || all == 1) return {1};
+  if (!how.backend->threaded || !how.planned() || all == 1) return {1};
   return {1, all};
+}
+
+/// A planned row with each skip alone forbidden, with all, and with the first few allowed: from a
+/// pipeline that leaves nothing out to the planned one, step by step.
+void add_ablation(std::vector<RowSpec>& rows, const RowSpec& planned) {
+  const auto add = [&](std::string name, Skips allowed) {
+    RowSpec row = planned;
+    row.skips = std::move(name);
+    row.allowed = allowed;
+    rows.push_back(std::move(row));
+  };
+  const auto counts = [&](Skip skip) {
+    return skip < Skip::unchanged || planned.run == Run::dynamic;
+  };
+  Skips first;
+  add("none", first);
+  int number = 0;
+  for (const Skip skip : kFromTextToPlan) {
+    if (!counts(skip)) continue;
+    first = first.with(skip);
+    add(fmt::format("first_{}_{}", ++number, name_of(skip)), first);
+  }
+  for (std::size_t k = 0; k < kSkipCount; ++k) {
+    const auto skip = static_cast<Skip>(k);
+    if (counts(skip)) add(fmt::format("no_{}", name_of(skip)), Skips::all().without(skip));
+  }
 }
 
 }  // namespace
 
 std::string row_name(const RowSpec& row, const Group& group) {
   std::string name = fmt::format("find_pairs/backend:{}", row.how.backend->name);
-  if (!row.how.is_baseline()) name += fmt::format("/method:{}", name_of(row.how.method));
+  if (!row.how.is_baseline()) name += fmt::format("/method:{}", row.how.method_name());
   if (row.how.has_rule()) name += fmt::format("/rule:{}", name_of(row.how.rule));
+  if (!row.skips.empty()) name += fmt::format("/skips:{}", row.skips);
   return name + fmt::format("/scene:{}/n:{}/threads:{}/run:{}", group.scene, group.n, row.threads,
                             name_of(row.run));
 }
@@ -52,6 +87,11 @@ std::vector<RowSpec> rows_of(const Group& group, std::string_view backend,
   for (const Implementation& how : implementations(backend)) {
     if (!has_time_for(how, group.rows)) continue;
     if (group.moves() && how.exhibit()) continue;  // its losses do not depend on motion
+    if (group.rows == Rows::ablation) {
+      rows.push_back({how, 1, group.moves() ? Run::dynamic : Run::warm});
+      if (how.planned()) add_ablation(rows, RowSpec(rows.back()));
+      continue;
+    }
     for (const int threads : thread_counts(how)) {
       if (group.moves()) {
         rows.push_back({how, threads, Run::dynamic});

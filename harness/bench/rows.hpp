@@ -35,6 +35,8 @@ struct RowSpec {
   Implementation how;
   int threads = 1;
   Run run = Run::cold;
+  std::string skips = {};        // a planned row's: "no_sort", "none", "first_3"; empty: all
+  Skips allowed = Skips::all();  // what that means
 };
 
 /// "find_pairs/backend:impl_cpu/method:home_phantom/rule:lowest_cell/scene:gas/n:1000/..."

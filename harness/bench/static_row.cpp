@@ -21,6 +21,7 @@ void StaticRow::verify_or_throw(double min_time_ms) {
   record_device_memory();
   result_.counts = outcome.counts;
   result_.plan_ms = outcome.plan_ms;
+  result_.plan = outcome.plan;
   require_under_limit(outcome.counts);
   judge(0);
   if (row_.run == Run::cold) finder_.reset();

@@ -27,7 +27,8 @@ void add_bench(CLI::App& app, Command& command) {
       "bench",
       "Time every implementation; Google Benchmark's flags (--benchmark_...) pass through");
   sub->add_option("SCENE", o->scenes, "Scenes to time instead of a preset's");
-  sub->add_option("--preset", o->preset, "quick (minutes, default), full (an hour) or gpu");
+  sub->add_option("--preset", o->preset,
+                  "quick (minutes, default), full (an hour), gpu or ablation");
   sub->add_option("--backend", o->backend, "A backend, a baseline, or all");
   sub->add_option("--motion", o->motion, "Move those scenes: brownian, free_fall or gravity");
   sub->add_option("--frames", o->frames, "Frames of a motion")->check(CLI::Range(2, 100000));

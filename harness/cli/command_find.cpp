@@ -7,6 +7,7 @@
 #include "harness/cli/commands.hpp"
 #include "harness/cli/names.hpp"
 #include "harness/driver/complete.hpp"
+#include "harness/planner/explain.hpp"
 #include "harness/reference/reference.hpp"
 #include "harness/registry/registry.hpp"
 #include "harness/scenes/save.hpp"
@@ -27,12 +28,15 @@ struct Options {
   bool json = false;
   bool explain = false;
   bool round_input = false;
+  std::vector<std::string> no_skip;
+  std::vector<std::string> force;
 };
 
 Implementation chosen_implementation(const Options& options) {
   Implementation chosen{.backend = &backend_named(options.backend)};
-  const bool asks_for_method =
-      !options.method.empty() || !options.rule.empty() || options.cell_side || options.explain;
+  const bool asks_for_method = !options.method.empty() || !options.rule.empty() ||
+                               options.cell_side || options.explain || !options.no_skip.empty() ||
+                               !options.force.empty();
   if (chosen.is_baseline() && asks_for_method) {
     throw InputError(fmt::format("{} is a baseline: it has its own method, rule, cells and plan",
                                  chosen.backend->name));
@@ -40,10 +44,12 @@ Implementation chosen_implementation(const Options& options) {
   if (const auto reason = chosen.backend->why_unavailable()) {
     throw LimitError(fmt::format("{} cannot run here: {}", chosen.backend->name, *reason));
   }
-  if (!options.method.empty()) chosen.method = method_named(options.method);
+  chosen.method = method_or_planned(options.method);
   if (!options.rule.empty()) chosen.rule = rule_named(options.rule);
-  if (!chosen.has_rule() && (!options.rule.empty() || options.cell_side)) {
-    throw InputError(fmt::format("method {} has no rules and no cells", name_of(chosen.method)));
+  const bool of_home_phantom = !options.rule.empty() || options.cell_side;
+  if (chosen.planned() && of_home_phantom) chosen.method = Method::home_phantom;
+  if (!chosen.has_rule() && of_home_phantom) {
+    throw InputError(fmt::format("method {} has no rules and no cells", chosen.method_name()));
   }
   return chosen;
 }
@@ -76,7 +82,9 @@ nlohmann::ordered_json to_json(const Answer& answer) {
       {"scene", answer.scene.spec},
       {"n", answer.scene.spheres.size()},
       {"backend", how.backend->name},
-      {"method", how.is_baseline() ? nlohmann::ordered_json() : name_of(how.method)},
+      {"method",
+       how.is_baseline() ? nlohmann::ordered_json() : name_of(answer.outcome.plan.method)},
+      {"planned", how.planned()},
       {"rule",
        how.has_rule() ? nlohmann::ordered_json(name_of(how.rule)) : nlohmann::ordered_json()},
       {"threads", how.backend->threaded ? answer.outcome.plan.threads : 1},
@@ -130,12 +138,14 @@ int find(const Options& options) {
     throw InputError("--count keeps no pairs, so there is nothing to write to --output");
   }
   const Implementation how = chosen_implementation(options);
-  PlanOptions plan_options = how.plan_options(thread_count(options.threads));
+  PlanOptions plan_options =
+      with_skips(how.plan_options(thread_count(options.threads)), options.no_skip, options.force);
   plan_options.count_only = options.count;
   plan_options.cell_side = options.cell_side;
   const Scene scene = load_or_generate(options.scene, {.round_input = options.round_input});
   const std::unique_ptr<PairFinder> finder = how.backend->create();
   const Outcome outcome = find_completely(*finder, scene.view(), plan_options);
+  require_used(plan_options.forced, outcome.counts.used);
   if (options.output) save_pairs(*options.output, finder->download());
 
   const Answer answer = {.scene = scene,
@@ -143,7 +153,11 @@ int find(const Options& options) {
                          .outcome = outcome,
                          .digest = finder->digest(),
                          .rounding = rounding_effect(scene)};
-  if (options.explain) fmt::print(stderr, "{}", explain(outcome.plan));
+  if (options.explain) {
+    fmt::print(
+        stderr, "{}",
+        to_text(explain(measure(scene.view()), outcome.plan, plan_options, outcome.counts.used)));
+  }
   if (options.json) {
     fmt::print("{}\n", to_json(answer).dump(2));
   } else {
@@ -160,11 +174,15 @@ void add_find(CLI::App& app, Command& command) {
   sub->add_option("SCENE", o->scene, "A file (.npy, .csv, .pqr) or a generator: gas:n=1e5,seed=7")
       ->required();
   sub->add_option("--backend", o->backend, "A backend or a baseline; see 'octocell list'");
-  sub->add_option("--method", o->method, "home_phantom (default) or brute_force");
-  sub->add_option("--rule", o->rule, "lowest_cell (default), chapter32 or as_written");
+  sub->add_option(
+      "--method", o->method,
+      "planned (default: the planner chooses), home_phantom, half_shell or brute_force");
+  sub->add_option("--rule", o->rule,
+                  "Of home_phantom: lowest_cell (default), chapter32 or as_written");
   sub->add_option("--cell-side", o->cell_side, "Cell side in scene units, for rule lowest_cell");
   sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
   sub->add_option("-o,--output", o->output, "Write the pairs: NPY, (M, 2) uint32, i < j, sorted");
+  add_skip_options(*sub, o->no_skip, o->force);
   sub->add_flag("--count", o->count, "Count and checksum only: needs no memory for pairs");
   sub->add_flag("--json", o->json, "Print JSON");
   sub->add_flag("--explain", o->explain, "Print the plan's decisions on stderr");

@@ -13,6 +13,7 @@ using Command = std::function<int()>;
 /// Each adds its subcommand to the application; when it is chosen, `command` is set.
 void add_list(CLI::App& app, Command& command);
 void add_find(CLI::App& app, Command& command);
+void add_explain(CLI::App& app, Command& command);
 void add_check(CLI::App& app, Command& command);
 void add_generate(CLI::App& app, Command& command);
 void add_bench(CLI::App& app, Command& command);

@@ -57,6 +57,7 @@ int parse_and_run(int argc, char** argv) {
   cli::Command command;
   cli::add_list(app, command);
   cli::add_find(app, command);
+  cli::add_explain(app, command);
   cli::add_check(app, command);
   cli::add_generate(app, command);
   cli::add_bench(app, command);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <span>
@@ -13,6 +14,7 @@
 
 #include "harness/interface/error.hpp"
 #include "harness/interface/plan.hpp"
+#include "harness/planner/planner.hpp"
 
 namespace octocell::cli {
 
@@ -27,11 +29,58 @@ Enum enumerator_named(std::string_view what, std::string_view name,
   return static_cast<Enum>(found - names.begin());
 }
 
-inline Method method_named(std::string_view name) {
+/// None: the planner chooses.
+inline std::optional<Method> method_or_planned(std::string_view name) {
+  if (name.empty() || name == "planned") return std::nullopt;
   return enumerator_named<Method>("method", name, kMethodNames);
 }
 inline Rule rule_named(std::string_view name) {
   return enumerator_named<Rule>("rule", name, kRuleNames);
+}
+
+inline Skips skips_named(const std::vector<std::string>& names) {
+  Skips skips;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(kSkips, std::string_view(name), &SkipInfo::name);
+    if (found == kSkips.end()) {
+      std::vector<std::string_view> known;
+      for (const SkipInfo& skip : kSkips) known.push_back(skip.name);
+      throw InputError(fmt::format("unknown skip '{}'; known: {}", name, fmt::join(known, ", ")));
+    }
+    skips = skips.with(static_cast<Skip>(found - kSkips.begin()));
+  }
+  return skips;
+}
+
+/// Flags --no-skip and --force.
+inline void add_skip_options(CLI::App& sub, std::vector<std::string>& no_skip,
+                             std::vector<std::string>& force) {
+  sub.add_option("--no-skip", no_skip, "Do not leave out what this skip would (repeatable)");
+  sub.add_option("--force", force, "Take this skip, or say why it is not possible (repeatable)");
+}
+inline PlanOptions with_skips(PlanOptions options, const std::vector<std::string>& no_skip,
+                              const std::vector<std::string>& force) {
+  const Skips forbidden = skips_named(no_skip);
+  options.forced = skips_named(force);
+  for (std::size_t k = 0; k < kSkipCount; ++k) {
+    const auto skip = static_cast<Skip>(k);
+    if (forbidden.has(skip) && options.forced.has(skip)) {
+      throw InputError(fmt::format("skip {} is forced and forbidden", name_of(skip)));
+    }
+    if (forbidden.has(skip)) options.allowed = options.allowed.without(skip);
+  }
+  return options;
+}
+
+/// Of the skips that are forced, those that only the data can allow. Throws LimitError.
+inline void require_used(Skips forced, Skips used) {
+  for (std::size_t k = 0; k < kSkipCount; ++k) {
+    const auto skip = static_cast<Skip>(k);
+    if (!forced.has(skip) || is_planned(skip) || used.has(skip)) continue;
+    throw LimitError(
+        fmt::format("skip {} cannot be forced here: it needs that {}, and that is not so",
+                    name_of(skip), kSkips[k].proof));
+  }
 }
 
 inline constexpr int kMaxThreads = 1024;

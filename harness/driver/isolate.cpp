@@ -201,7 +201,8 @@ IsolatedAnswer receive(Child& child) {
                                       .candidates = head.candidates,
                                       .doubts = head.doubts,
                                       .pairs = head.pairs,
-                                      .over_candidate_limit = head.over_candidate_limit},
+                                      .over_candidate_limit = head.over_candidate_limit,
+                                      .used = {}},
                            .digest = head.digest,
                            .pairs = std::vector<Pair>(head.pair_count)};
   child.read_whole(std::as_writable_bytes(std::span(answer.pairs)));

@@ -31,17 +31,17 @@ struct Cell {
 
 /// How an axis is cut into cells.
 struct CellWidth {
-  std::uint32_t units = 1;                // m, 1..kMaxUnitsPerCell
-  int reciprocal_bits = kReciprocalBits;  // b
+  std::uint32_t units = 1;                                         // m, 1..kMaxUnitsPerCell
+  int reciprocal_bits = kReciprocalBits;                           // b
   std::uint64_t reciprocal = std::uint64_t{1} << kReciprocalBits;  // ceil(2^b / m)
 };
 
 struct Grid {
-  float units_per_length = 1.0F;     // 2^-k
-  double first_unit[3] = {0, 0, 0};  // floor(lowest centre * 2^-k)
-  double last_unit[3] = {0, 0, 0};   // of the box, counted from first_unit; <= kMaxUnits
-  CellWidth width[3];                // equal, but for the columns of method half_shell
-  std::uint32_t cell_count[3] = {1, 1, 1};       // cells along each axis before wrapping
+  float units_per_length = 1.0F;            // 2^-k
+  double first_unit[3] = {0, 0, 0};         // floor(lowest centre * 2^-k)
+  double last_unit[3] = {0, 0, 0};          // of the box, counted from first_unit; <= kMaxUnits
+  CellWidth width[3];                       // equal, but for the columns of method half_shell
+  std::uint32_t cell_count[3] = {1, 1, 1};  // cells along each axis before wrapping
   std::uint32_t wrap_mask[3] = {~0U, ~0U, ~0U};  // period - 1 on a wrapped axis, all ones elsewhere
   std::uint32_t stride_y = 1;                    // ids: x + stride_y * y + stride_z * z
   std::uint32_t stride_z = 1;
@@ -50,10 +50,11 @@ struct Grid {
 
   /// Cells along an axis before ids repeat.
   [[nodiscard]] OCTOCELL_HD std::uint32_t period(int axis) const {
-    return wrap_mask[axis] == ~0U ? cell_count[axis] : wrap_mask[axis] + 1;
+    return wraps(axis) ? wrap_mask[axis] + 1 : cell_count[axis];
   }
+  [[nodiscard]] OCTOCELL_HD bool wraps(int axis) const { return wrap_mask[axis] != ~0U; }
   /// Wrapped ids may stand for several cells; far cells only, see make_grid().
-  [[nodiscard]] bool wraps() const { return (wrap_mask[0] & wrap_mask[1] & wrap_mask[2]) != ~0U; }
+  [[nodiscard]] bool wraps() const { return wraps(0) || wraps(1) || wraps(2); }
 };
 
 /// The cell index along one axis. `value` may be infinite (p + r beyond FLT_MAX), never NaN.

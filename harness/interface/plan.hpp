@@ -10,6 +10,7 @@
 
 #include "harness/interface/grid.hpp"
 #include "harness/interface/predicate.hpp"
+#include "harness/interface/skips.hpp"
 
 namespace octocell {
 
@@ -51,7 +52,7 @@ struct Level {
   Grid grid;                   // ids from 0
   std::uint32_t first_id = 0;  // its ids are [first_id, first_id + ids)
   std::uint32_t ids = 1;
-  std::uint32_t reach = 1;     // in columns
+  std::uint32_t reach = 1;  // in columns
 };
 inline constexpr int kMaxLevels = 6;
 
@@ -74,15 +75,18 @@ inline constexpr const char* kFactsBroken =
 struct Plan {
   Method method = Method::home_phantom;
   Rule rule = Rule::lowest_cell;
-  Grid grid;      // of method home_phantom
-  Levels levels;  // of method half_shell
+  Grid grid;         // of method home_phantom
+  Levels levels;     // of method half_shell
   int key_bits = 0;  // every cell id is below 2^key_bits
   Band band = Band::safe;
   PlanFacts facts;
   Capacities capacity;
   int sort_digit_bits = 8;  // the most that one pass of the backend's sort takes
   int threads = 1;
-  bool count_only = false;  // keep count and checksum, store no pairs
+  Skips allowed = Skips::all();  // what may be left out where the data show that it can
+  Skips taken;                   // what this plan leaves out
+  bool moving = false;           // updates will come: what a frame leaves may serve the next
+  bool count_only = false;       // keep count and checksum, store no pairs
   /// Pair tests are not started when more candidates than this are counted beforehand.
   std::uint64_t candidate_limit = ~std::uint64_t{0};
 };
@@ -100,6 +104,7 @@ struct Counts {
   std::uint64_t doubts = 0;
   std::uint64_t pairs = 0;
   bool over_candidate_limit = false;
+  Skips used;  // what the data allowed to leave out in this run; the plan has its own
   /// Set when a fact of the plan, or a condition of its rule, does not hold for the data.
   std::optional<std::string> plan_violation = {};
 };

@@ -2,9 +2,9 @@
 // How large should a cell be?  Small cells: a sphere meets many, all sorted. Large cells: many
 // spheres share one, all pairs tested. Any size is correct for rule lowest_cell, so cost decides.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "harness/planner/cell_counter.hpp"
 #include "harness/planner/planner.hpp"
 
 namespace octocell {
@@ -32,28 +32,6 @@ double distinct_ids(const Grid& grid) {
   for (const std::uint32_t along_axis : grid.cell_count) cells *= along_axis;
   return std::min(cells, std::ldexp(1.0, grid.key_bits));
 }
-
-/// How often each cell id was met: open addressing, a quarter full at most.
-class CellCounter {
- public:
-  /// How often before this time.
-  std::uint32_t count_before(std::uint32_t id) {
-    std::size_t slot = id * 2654435761U >> (32 - kBits);  // Knuth's multiplicative hash
-    while (slots_[slot].count != 0 && slots_[slot].id != id) slot = (slot + 1) % kSlots;
-    slots_[slot].id = id;
-    return slots_[slot].count++;
-  }
-
- private:
-  static constexpr int kBits = 12;
-  static constexpr std::size_t kSlots = std::size_t{1} << kBits;
-  static_assert(kSlots >= 4 * kSampleSize);
-  struct Slot {
-    std::uint32_t id;
-    std::uint32_t count;
-  };
-  std::array<Slot, kSlots> slots_ = {};
-};
 
 /// Pairs of homes that share a cell, scaled up from the sample: sees crowding that an average over
 /// the scene's box does not.
@@ -134,6 +112,20 @@ Grid cheapest_grid(const SceneStats& stats, const Costs& costs) {
     best_cost = cost;
   }
   return best;
+}
+
+double estimate_cost(const SceneStats& stats, const Plan& plan, const Costs& costs) {
+  if (plan.method == Method::half_shell) {
+    return estimate_cost(stats, plan.levels, plan.key_bits, costs);
+  }
+  if (plan.method == Method::home_phantom) {
+    const WorkEstimate work = estimate_work(stats, plan.grid, costs);
+    const int more_passes = sort_passes(plan.key_bits, costs.digit_bits) -
+                            sort_passes(plan.grid.key_bits, costs.digit_bits);
+    return work.cost_ns + work.ids * more_passes * costs.per_id_and_pass;
+  }
+  const auto count = static_cast<double>(stats.facts.sphere_count);
+  return count * count / 2.0 * costs.per_pair;
 }
 
 }  // namespace octocell

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "harness/planner/planner.hpp"
@@ -12,29 +14,31 @@
 namespace octocell {
 namespace {
 
-/// Where the radii are cut: the largest radius of each level but the last.
-using Cuts = std::vector<float>;
+/// Octaves of radii [first, last) of SceneStats::radii.
+using Octaves = std::pair<std::size_t, std::size_t>;
 
-/// What of the scene belongs to one level.
+/// The spheres of a level.
 struct Members {
   double count = 0.0;
-  double r_sum = 0.0;
+  double radius_sum = 0.0;
+  float r_max = 0.0F;
   std::vector<Sphere> sample;
-  [[nodiscard]] double mean_radius() const { return count == 0.0 ? 0.0 : r_sum / count; }
+  [[nodiscard]] double mean_radius() const { return count == 0.0 ? 0.0 : radius_sum / count; }
 };
 
-std::vector<Members> divide(const SceneStats& stats, const Levels& levels) {
-  std::vector<Members> members(static_cast<std::size_t>(levels.count));
-  for (const RadiusClass& radii : stats.radii) {
-    Members& m = members[level_of(levels, radii.largest)];
-    m.count += static_cast<double>(radii.count);
-    m.r_sum += radii.radius_sum;
+Members members_of(const SceneStats& stats, Octaves octaves) {
+  Members members;
+  for (std::size_t k = octaves.first; k < octaves.second; ++k) {
+    members.count += static_cast<double>(stats.radii[k].count);
+    members.radius_sum += stats.radii[k].radius_sum;
+    members.r_max = stats.radii[k].largest;
   }
-  for (const Sphere& s : stats.sample) members[level_of(levels, s.r)].sample.push_back(s);
+  const float above = octaves.first == 0 ? -1.0F : stats.radii[octaves.first - 1].largest;
+  for (const Sphere& s : stats.sample) {
+    if (s.r > above && s.r <= members.r_max) members.sample.push_back(s);
+  }
   return members;
 }
-
-double cells_of(const Level& level) { return static_cast<double>(level.ids) / level.reach; }
 
 /// Pairs of the sample that share a block of 2^shift cells a side.
 std::uint64_t pairs_in_blocks(const Level& level, const std::vector<Sphere>& sample, int shift) {
@@ -58,7 +62,7 @@ std::uint64_t pairs_in_blocks(const Level& level, const std::vector<Sphere>& sam
 /// That is small, so it is asked for blocks of cells, the smallest in which enough of it meet.
 double neighbours_in_cell(const Level& level, const Members& members) {
   constexpr std::uint64_t kEnough = 100;
-  const double evenly = members.count / cells_of(level);
+  const double evenly = members.count / (static_cast<double>(level.ids) / level.reach);
   const auto size = static_cast<double>(members.sample.size());
   const Grid& grid = level.grid;
   const std::uint32_t cells[3] = {grid.cell_count[0] / level.reach + 1, grid.cell_count[1],
@@ -74,19 +78,26 @@ double neighbours_in_cell(const Level& level, const Members& members) {
   return evenly;
 }
 
-double cost_within(const Level& level, const Members& members, const ShellCosts& costs) {
+double cost_within(const Level& level, const Members& members, double in_cell,
+                   const ShellCosts& costs) {
   const Grid& grid = level.grid;
   const double rows_of_cells = static_cast<double>(grid.period(1)) * grid.period(2);
-  const double rows = std::min(members.count, rows_of_cells);
+  const double filled = 1.0 - std::exp(-members.count / rows_of_cells);
   const double neighbour_rows = (grid.cell_count[1] > 1 ? 1.0 : 0.0) +
                                 (grid.cell_count[2] > 1 ? 1.0 : 0.0) +
                                 (grid.cell_count[1] > 1 && grid.cell_count[2] > 1 ? 2.0 : 0.0);
   const double window_cells = 2.0 + 1.0 / level.reach;
-  const double candidates =
-      neighbours_in_cell(level, members) * window_cells * (0.5 + neighbour_rows);
-  return members.count * (costs.per_sphere + neighbour_rows * costs.per_window +
+  const double candidates = in_cell * window_cells * (0.5 + neighbour_rows);
+  return members.count * (costs.per_sphere + neighbour_rows * filled * costs.per_window +
                           candidates * costs.per_candidate) +
-         rows * costs.per_row + std::min<double>(level.ids, 8.0 * members.count) * costs.per_id;
+         rows_of_cells * filled * costs.per_row +
+         std::min<double>(level.ids, 8.0 * members.count) * costs.per_id;
+}
+
+double cost_of(const Level& level, const Members& members, double in_cell, const Costs& costs) {
+  const int key_bits = static_cast<int>(std::bit_width(level.ids - 1));
+  return cost_within(level, members, in_cell, costs.shell) +
+         members.count * sort_passes(key_bits, costs.digit_bits) * costs.shell.per_pass;
 }
 
 /// The part of an axis that a box of that width covers.
@@ -120,67 +131,148 @@ double cost_of_coarser(const SceneStats& stats, const Members& coarse, const Lev
          (std::min(rows, fine.count) * costs.per_probe + fine.count * share * costs.per_candidate);
 }
 
-/// The side and the number of columns with the least cost, for what spheres there are.
-Level cheapest_level(const SceneStats& stats, float r_max, int most_bits, const Levels& so_far,
-                     const Costs& costs) {
-  Level best;
-  double best_cost = HUGE_VAL;
-  Levels trial = so_far;
-  const auto index = trial.count++;
-  double least = 2.0 * static_cast<double>(r_max);
-  if (least == 0.0) least = std::max(mean_spacing(stats.facts) / 2.0, 0x1p-149);
-  constexpr int kDoublings = 8;
-  constexpr int kStepsPerDoubling = 4;
-  for (int step = 0; step < kDoublings * kStepsPerDoubling; ++step) {
-    const double side = least * std::exp2(static_cast<double>(step) / kStepsPerDoubling);
-    for (std::uint32_t columns = 1; columns <= costs.shell.most_columns; columns *= 2) {
-      Level& level = trial.level[index];
-      level = make_level(stats.facts, r_max, side, columns, most_bits);
-      const Members members = divide(stats, trial)[static_cast<std::size_t>(index)];
-      const int passes =
-          sort_passes(static_cast<int>(std::bit_width(level.ids - 1)), costs.digit_bits);
-      const double cost =
-          cost_within(level, members, costs.shell) + members.count * passes * costs.shell.per_pass;
-      if (cost >= best_cost) continue;
-      best = level;
-      best_cost = cost;
-    }
+double cost_across(const SceneStats& stats, const Level& coarser, const Members& coarse,
+                   const Level& finer, const Members& fine, const ShellCosts& costs) {
+  if (costs.finer_probe) return cost_of_finer(coarser, coarse, fine, costs);
+  return cost_of_coarser(stats, coarse, finer, fine, costs);
+}
+
+/// A level, and what its spheres are expected to cost among themselves.
+struct Choice {
+  Level level;
+  double cost = HUGE_VAL;
+};
+
+/// Flat scenes made thick enough for two layers of cells.
+PlanFacts with_two_layers(PlanFacts facts, double side) {
+  for (const int a : {1, 2}) {
+    const double second = static_cast<double>(facts.lowest[a]) + 1.5 * side;
+    if (second < kFloatMax)
+      facts.highest[a] = std::max(facts.highest[a], static_cast<float>(second));
+  }
+  return facts;
+}
+
+/// The number of columns with the least cost, for cells of that side.
+Choice cut_into_columns(const PlanFacts& facts, double side, int most_bits, const Members& members,
+                        const Costs& costs) {
+  Choice best;
+  const Level whole_cells = make_level(facts, members.r_max, side, 1, most_bits);
+  const double in_cell = neighbours_in_cell(whole_cells, members);
+  for (std::uint32_t columns = 1; columns <= costs.shell.most_columns; columns *= 2) {
+    const Level level = make_level(facts, members.r_max, side, columns, most_bits);
+    const double cost = cost_of(level, members, in_cell, costs);
+    if (cost < best.cost) best = {level, cost};
   }
   return best;
 }
 
-Levels levels_cut_at(const SceneStats& stats, const Cuts& cuts, const Costs& costs) {
-  const int most_bits = kMaxKeyBits - static_cast<int>(std::bit_width(cuts.size()));
-  Levels levels;
-  for (std::size_t k = 0; k <= cuts.size(); ++k) {
-    const float r_max = k < cuts.size() ? cuts[k] : stats.facts.r_max;
-    Level level = cheapest_level(stats, r_max, most_bits, levels, costs);
-    if (levels.count > 0) {
-      const Level& below = levels.level[levels.count - 1];
-      level.first_id = below.first_id + below.ids;
+constexpr int kPatience = 3;  // doublings: costs step down where a pass is saved
+
+/// The side with the least cost: a diameter, or, where spheres are far apart, more.
+Choice cheapest_level(const SceneStats& stats, Skips allowed, int most_bits, const Members& members,
+                      const Costs& costs) {
+  double side = 2.0 * static_cast<double>(members.r_max);
+  if (side == 0.0) side = std::max(mean_spacing(stats.facts) / 2.0, 0x1p-149);
+  Choice best;
+  const int sides = costs.shell.sides_per_doubling;
+  for (int worse = 0; worse < kPatience * sides; side *= std::exp2(1.0 / sides)) {
+    const PlanFacts facts =
+        allowed.has(Skip::layers) ? stats.facts : with_two_layers(stats.facts, side);
+    const Choice choice = cut_into_columns(facts, side, most_bits, members, costs);
+    if (choice.cost >= best.cost) {
+      ++worse;
+      continue;
     }
-    levels.level[levels.count++] = level;
+    best = choice;
+    worse = 0;
   }
-  return levels;
+  return best;
 }
+
+/// Tries ways to cut the octaves of the radii into levels.
+class LevelSearch {
+ public:
+  LevelSearch(const SceneStats& stats, Skips allowed, const Costs& costs)
+      : stats_(stats), allowed_(allowed), costs_(costs) {}
+
+  /// Cuts where that gains most, as long as anything is gained.
+  Levels run(std::size_t least_levels, std::size_t most_levels) {
+    std::vector<Octaves> best = {{0, stats_.radii.size()}};
+    double best_cost = cost(best);
+    for (bool better = true; better && best.size() < most_levels;) {
+      better = false;
+      const std::vector<Octaves> so_far = best;
+      if (best.size() < least_levels) best_cost = HUGE_VAL;
+      for (std::size_t level = 0; level < so_far.size(); ++level) {
+        for (std::size_t k = so_far[level].first + 1; k < so_far[level].second; ++k) {
+          std::vector<Octaves> trial = so_far;
+          trial[level].second = k;
+          trial.insert(trial.begin() + static_cast<std::ptrdiff_t>(level) + 1,
+                       {k, so_far[level].second});
+          const double trial_cost = cost(trial);
+          if (trial_cost >= best_cost) continue;
+          better = true;
+          best = trial;
+          best_cost = trial_cost;
+        }
+      }
+    }
+    return levels(best);
+  }
+
+ private:
+  /// Room for six levels whose ids stay below 2^kMaxKeyBits together.
+  static constexpr int kMostBits = kMaxKeyBits - 3;
+  static_assert(kMaxLevels <= 1 << 3);
+
+  struct Known {
+    Members members;
+    Choice choice;
+  };
+  const Known& known(Octaves octaves) {
+    const auto [entry, is_new] = known_.try_emplace(octaves);
+    if (is_new) {
+      entry->second.members = members_of(stats_, octaves);
+      entry->second.choice =
+          cheapest_level(stats_, allowed_, kMostBits, entry->second.members, costs_);
+    }
+    return entry->second;
+  }
+
+  double cost(const std::vector<Octaves>& cuts) {
+    double sum = 0.0;
+    for (std::size_t fine = 0; fine < cuts.size(); ++fine) {
+      const Known& finer = known(cuts[fine]);
+      sum += finer.choice.cost;
+      for (std::size_t coarse = fine + 1; coarse < cuts.size(); ++coarse) {
+        const Known& coarser = known(cuts[coarse]);
+        sum += cost_across(stats_, coarser.choice.level, coarser.members, finer.choice.level,
+                           finer.members, costs_.shell);
+      }
+    }
+    return sum;
+  }
+
+  Levels levels(const std::vector<Octaves>& cuts) {
+    Levels levels;
+    std::uint32_t first_id = 0;
+    for (const Octaves& octaves : cuts) {
+      Level& level = levels.level[levels.count++];
+      level = known(octaves).choice.level;
+      level.first_id = first_id;
+      first_id += level.ids;
+    }
+    return levels;
+  }
+
+  const SceneStats& stats_;
+  const Skips allowed_;
+  const Costs& costs_;
+  std::map<Octaves, Known> known_;
+};
 
 }  // namespace
-
-double estimate_cost(const SceneStats& stats, const Levels& levels, const Costs& costs) {
-  const std::vector<Members> members = divide(stats, levels);
-  double cost = 0.0;
-  for (int fine = 0; fine < levels.count; ++fine) {
-    const Level& level = levels.level[fine];
-    cost += cost_within(level, members[fine], costs.shell);
-    for (int coarse = fine + 1; coarse < levels.count; ++coarse) {
-      cost += costs.shell.finer_probe
-                  ? cost_of_finer(levels.level[coarse], members[coarse], members[fine], costs.shell)
-                  : cost_of_coarser(stats, members[coarse], level, members[fine], costs.shell);
-    }
-  }
-  const int passes = sort_passes(key_bits_of(levels), costs.digit_bits);
-  return cost + static_cast<double>(stats.facts.sphere_count) * passes * costs.shell.per_pass;
-}
 
 int key_bits_of(const Levels& levels) {
   if (levels.count == 0) return 0;
@@ -188,29 +280,32 @@ int key_bits_of(const Levels& levels) {
   return static_cast<int>(std::bit_width(last.first_id + last.ids - 1));
 }
 
-Levels cheapest_levels(const SceneStats& stats, const Costs& costs) {
-  Cuts cuts;
-  Levels best = levels_cut_at(stats, cuts, costs);
-  double best_cost = estimate_cost(stats, best, costs);
-  for (bool better = true; better && best.count < kMaxLevels;) {
-    better = false;
-    Cuts best_cuts = cuts;
-    for (std::size_t k = 0; k + 1 < stats.radii.size(); ++k) {
-      const float cut = stats.radii[k].largest;
-      if (std::ranges::find(cuts, cut) != cuts.end() || cut >= stats.facts.r_max) continue;
-      Cuts trial = cuts;
-      trial.insert(std::ranges::upper_bound(trial, cut), cut);
-      const Levels levels = levels_cut_at(stats, trial, costs);
-      const double cost = estimate_cost(stats, levels, costs);
-      if (cost >= best_cost) continue;
-      better = true;
-      best = levels;
-      best_cost = cost;
-      best_cuts = trial;
-    }
-    cuts = best_cuts;
+double estimate_cost(const SceneStats& stats, const Levels& levels, int key_bits,
+                     const Costs& costs) {
+  double sum = static_cast<double>(stats.facts.sphere_count) *
+               sort_passes(key_bits, costs.digit_bits) * costs.shell.per_pass;
+  std::size_t next = 0;
+  std::vector<Members> members;
+  for (int k = 0; k < levels.count; ++k) {
+    const std::size_t first = next;
+    while (next < stats.radii.size() && stats.radii[next].largest <= levels.level[k].r_max) ++next;
+    members.push_back(members_of(stats, {first, next}));
   }
-  return best;
+  for (int fine = 0; fine < levels.count; ++fine) {
+    const Level& level = levels.level[fine];
+    sum += cost_within(level, members[fine], neighbours_in_cell(level, members[fine]), costs.shell);
+    for (int coarse = fine + 1; coarse < levels.count; ++coarse) {
+      sum += cost_across(stats, levels.level[coarse], members[coarse], level, members[fine],
+                         costs.shell);
+    }
+  }
+  return sum;
+}
+
+Levels cheapest_levels(const SceneStats& stats, Skips allowed, const Costs& costs,
+                       std::size_t least_levels) {
+  const std::size_t most_levels = allowed.has(Skip::wide_cells) ? kMaxLevels : 1;
+  return LevelSearch(stats, allowed, costs).run(least_levels, most_levels);
 }
 
 }  // namespace octocell

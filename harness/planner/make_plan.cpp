@@ -14,6 +14,7 @@ namespace {
 
 /// Positions in the sorted arrays are 32-bit numbers.
 constexpr std::uint64_t kMaxIds = 4294967295;
+constexpr int kIdBits = 32;
 
 /// Sound only while a rounding of p +- S is small beside r_max (docs/exactness.md, claim C).
 void require_chapter32(const PlanFacts& facts) {
@@ -53,12 +54,17 @@ void choose_cells(Plan& plan, const SceneStats& stats, const PlanOptions& option
     plan.key_bits = plan.grid.key_bits;
   }
   if (plan.method == Method::half_shell) {
-    plan.levels = cheapest_levels(stats, options.costs);
+    plan.levels = cheapest_levels(stats, options.allowed, options.costs,
+                                  options.forced.has(Skip::wide_cells) ? 2 : 1);
     plan.key_bits = key_bits_of(plan.levels);
+  }
+  if (plan.method != Method::brute_force && !options.allowed.has(Skip::key_bits)) {
+    plan.key_bits = kIdBits;
   }
 }
 
-Band choose_band(const PlanFacts& facts) {
+Band choose_band(const PlanFacts& facts, Skips allowed) {
+  if (!allowed.has(Skip::safe_band)) return Band::safe;
   const bool in_range = facts.r_max == 0.0F ||
                         (facts.r_min_nonzero >= kFastRadiusMin && facts.r_max <= kFastRadiusMax);
   return in_range ? Band::fast : Band::safe;
@@ -123,6 +129,95 @@ SceneStats with_room_to_move(SceneStats stats) {
   return stats;
 }
 
+bool is_flat(const Plan& plan) {
+  const Grid& grid = plan.levels.level[0].grid;
+  return plan.levels.count > 0 && (grid.cell_count[1] == 1 || grid.cell_count[2] == 1);
+}
+
+/// What a plan leaves out.
+Skips taken_by(const Plan& plan) {
+  Skips taken;
+  const auto take_if = [&](bool is_taken, Skip skip) {
+    if (is_taken) taken = taken.with(skip);
+  };
+  take_if(plan.method == Method::brute_force, Skip::grid);
+  take_if(plan.method == Method::half_shell, Skip::phantoms);
+  take_if(plan.levels.count > 1, Skip::wide_cells);
+  take_if(is_flat(plan), Skip::layers);
+  take_if(plan.method != Method::brute_force && plan.key_bits < kIdBits, Skip::key_bits);
+  take_if(plan.band == Band::fast, Skip::safe_band);
+  return taken;
+}
+
+Plan plan_method(const SceneStats& stats, Method method, const PlanOptions& options) {
+  Plan plan;
+  plan.method = method;
+  plan.rule = options.rule;
+  plan.threads = std::max(options.threads, 1);
+  plan.sort_digit_bits = options.costs.digit_bits;
+  plan.allowed = options.allowed;
+  plan.moving = options.moving;
+  plan.count_only = options.count_only;
+  plan.candidate_limit = options.candidate_limit;
+  plan.facts = stats.facts;
+  plan.band = choose_band(stats.facts, options.allowed);
+  if (stats.facts.sphere_count > 0) choose_cells(plan, stats, options);
+  plan.taken = taken_by(plan);
+  plan.capacity = first_capacities(stats, plan);
+  return plan;
+}
+
+/// Why a plan does not leave out what a caller insists on. The rest only the data can tell.
+std::string why_not(const Plan& plan, Skip skip) {
+  const Grid& grid = plan.levels.level[0].grid;
+  if (plan.method != Method::half_shell && skip < Skip::key_bits) {
+    return fmt::format("the method is {}", name_of(plan.method));
+  }
+  switch (skip) {
+    case Skip::layers:
+      return fmt::format("the spheres lie in {} x {} x {} cells", grid.cell_count[0],
+                         grid.cell_count[1], grid.cell_count[2]);
+    case Skip::wide_cells:
+      return fmt::format("radii from {:g} to {:g} are all of one octave", plan.facts.r_min_nonzero,
+                         plan.facts.r_max);
+    case Skip::safe_band:
+      return fmt::format("radii from {:g} to {:g} do not all lie in [2^-60, 2^62]",
+                         plan.facts.r_min_nonzero, plan.facts.r_max);
+    case Skip::key_bits:
+      return "the ids need all their bits";
+    default:
+      return fmt::format("the method is {}", name_of(plan.method));
+  }
+}
+
+void require_forced(const Plan& plan, Skips forced) {
+  for (std::size_t k = 0; k < kSkipCount; ++k) {
+    const auto skip = static_cast<Skip>(k);
+    if (!forced.has(skip) || !is_planned(skip) || plan.taken.has(skip)) continue;
+    throw LimitError(
+        fmt::format("skip {} cannot be forced here: {}", name_of(skip), why_not(plan, skip)));
+  }
+}
+
+/// Of the methods that are allowed, the one whose plan is expected to cost least. All are exact.
+Plan cheapest_plan(const SceneStats& stats, const PlanOptions& options) {
+  if (options.forced.has(Skip::grid)) return plan_method(stats, Method::brute_force, options);
+  if (options.forced.has(Skip::phantoms)) return plan_method(stats, Method::half_shell, options);
+  Plan best = plan_method(stats, Method::home_phantom, options);
+  double best_cost = estimate_cost(stats, best, options.costs);
+  const auto consider = [&](Method method, Skip skip) {
+    if (!options.allowed.has(skip)) return;
+    const Plan plan = plan_method(stats, method, options);
+    const double cost = estimate_cost(stats, plan, options.costs);
+    if (cost >= best_cost) return;
+    best = plan;
+    best_cost = cost;
+  };
+  consider(Method::half_shell, Skip::phantoms);
+  consider(Method::brute_force, Skip::grid);
+  return best;
+}
+
 }  // namespace
 
 Plan plan_buffers(std::uint64_t sphere_count, const PlanOptions& options) {
@@ -138,17 +233,9 @@ Plan plan_buffers(std::uint64_t sphere_count, const PlanOptions& options) {
 Plan make_plan(const SceneStats& seen, const PlanOptions& options) {
   check_options(options);
   const SceneStats stats = options.moving ? with_room_to_move(seen) : seen;
-  Plan plan;
-  plan.method = options.method;
-  plan.rule = options.rule;
-  plan.threads = std::max(options.threads, 1);
-  plan.sort_digit_bits = options.costs.digit_bits;
-  plan.count_only = options.count_only;
-  plan.candidate_limit = options.candidate_limit;
-  plan.facts = stats.facts;
-  plan.band = choose_band(stats.facts);
-  if (stats.facts.sphere_count > 0) choose_cells(plan, stats, options);
-  plan.capacity = first_capacities(stats, plan);
+  const Plan plan =
+      options.method ? plan_method(stats, *options.method, options) : cheapest_plan(stats, options);
+  require_forced(plan, options.forced);
   return plan;
 }
 

@@ -12,39 +12,46 @@ namespace octocell {
 
 /// The same of method half_shell.
 struct ShellCosts {
-  double per_sphere = 10.0;    // id, gathering, and the window in its own row
-  double per_row = 30.0;       // to find a row's neighbours
-  double per_window = 3.0;     // of a sphere in a neighbouring row
-  double per_candidate = 0.3;  // in a window
-  double per_probe = 15.0;     // of a sphere in a row of another level
-  double per_id = 0.0;       // that there may be, with or without a sphere; up to 8 a sphere count
-  double per_pass = 2.2;     // of a sphere in the sort, by one digit
-  bool finer_probe = false;  // the finer spheres look for the coarser ones, not these for those
+  double per_sphere = 9.0;         // id, gathering, and the window in its own row
+  double per_row = 30.0;           // to find a row's neighbours
+  double per_window = 2.6;         // of a sphere in a neighbouring row
+  double per_candidate = 0.1;      // in a window
+  double per_probe = 20.0;         // of a sphere in a row of another level
+  double per_id = 0.0;             // that there may be, with or without a sphere; 8 a sphere count
+  double per_pass = 1.5;           // of a sphere in the sort, by one digit
+  bool finer_probe = false;        // the finer spheres look for the coarser ones
+  int sides_per_doubling = 1;      // that are tried
   std::uint32_t most_columns = 8;  // into which a cell is cut
 };
 
 /// What work costs on the machine that will do it, in nanoseconds; only the ratios matter.
 /// The defaults are one CPU's (docs/decisions/0004-cell-size.md).
 struct Costs {
-  double per_id = 17.0;          // to make it, and to look at it in stages 4 and 5
-  double per_id_and_pass = 2.2;  // to sort it by one digit
+  double per_id = 20.0;          // to make it, and to look at it in stages 4 and 5
+  double per_id_and_pass = 1.5;  // to sort it by one digit
   double per_candidate = 0.4;
-  int digit_bits = 8;  // the most that one pass sorts by
+  double per_pair = 0.19;  // of brute_force
+  int digit_bits = 8;      // the most that one pass sorts by
   ShellCosts shell = {};
 };
 
 /// What a caller may fix; the planner decides the rest.
 struct PlanOptions {
-  Method method = Method::home_phantom;
+  std::optional<Method> method = Method::home_phantom;  // none: the planner chooses
   Rule rule = Rule::lowest_cell;
   int threads = 1;
   bool count_only = false;
   std::uint64_t candidate_limit = ~std::uint64_t{0};
   std::optional<double> cell_side = {};  // scene units; only rule lowest_cell is free to choose
-  bool moving = false;                   // plan for a box a little larger than the spheres fill now
-  bool buffers_only = false;             // for baselines, which make their own plans
-  Costs costs = {};                      // rule lowest_cell picks the cells that cost least
+  Skips allowed = Skips::all();
+  Skips forced = {};          // LimitError where the plan cannot take one of them
+  bool moving = false;        // plan for a box a little larger than the spheres fill now
+  bool buffers_only = false;  // for baselines, which make their own plans
+  Costs costs = {};           // rule lowest_cell picks the cells that cost least
 };
+
+/// What a plan is expected to cost, in the unit of Costs.
+double estimate_cost(const SceneStats& stats, const Plan& plan, const Costs& costs);
 
 /// Throws LimitError where the rule's conditions do not hold for this scene, with the reason, and
 /// InputError for a cell side that is not a positive finite number.
@@ -56,9 +63,6 @@ Plan plan_buffers(std::uint64_t sphere_count, const PlanOptions& options);
 /// The next plan after a full buffer: every capacity at least what was found. Throws LimitError
 /// where that is more than positions of 32 bits can count.
 Plan grow(const Plan& plan, const Counts& found);
-
-/// One line per decision: what was seen, what was decided, why it is safe.
-std::string explain(const Plan& plan);
 
 /// The step of float32 at the far end of the scene's boxes p +- reach.
 double farthest_ulp(const PlanFacts& facts, float reach);
@@ -79,11 +83,14 @@ Grid make_grid(const PlanFacts& facts, double cell_side, double widest);
 Level make_level(const PlanFacts& facts, float r_max, double cell_side, std::uint32_t columns,
                  int most_bits);
 
-/// The levels with the least expected work for half_shell, which is correct with any.
-Levels cheapest_levels(const SceneStats& stats, const Costs& costs = {});
+/// The levels with the least expected work for half_shell, which is correct with any. Without skip
+/// `layers` an axis along which all spheres lie in one layer gets a second.
+Levels cheapest_levels(const SceneStats& stats, Skips allowed = Skips::all(),
+                       const Costs& costs = {}, std::size_t least_levels = 1);
 
 /// Nanoseconds that half_shell is expected to take with them.
-double estimate_cost(const SceneStats& stats, const Levels& levels, const Costs& costs = {});
+double estimate_cost(const SceneStats& stats, const Levels& levels, int key_bits,
+                     const Costs& costs);
 
 /// Every id of the levels is below two to this.
 int key_bits_of(const Levels& levels);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "harness/interface/error.hpp"
@@ -17,19 +18,32 @@ namespace {
 constexpr std::size_t kSmallestSample = 64;  // planning must not outlast the work
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// Four lanes, x y z r; compilers keep each array in one register.
+/// Four spheres side by side, x y z r each; compilers keep each array in one or a few registers.
+constexpr std::size_t kAbreast = 4;
 struct Lanes {
-  float lowest[4] = {kInfinity, kInfinity, kInfinity, kInfinity};
-  float highest[4] = {-kInfinity, -kInfinity, -kInfinity, -kInfinity};
-  float taint[4] = {0, 0, 0, 0};  // turns NaN at the first value that is not finite
+  static constexpr std::size_t kLanes = 4 * kAbreast;
+  float lowest[kLanes];  // of radii: above zero
+  float highest[kLanes];
+  float taint[kLanes];  // turns NaN at the first value that is not finite
+  float negative[kLanes];
 
-  void add(const float (&value)[4], float radius_or_infinity) {
-    for (int a = 0; a < 4; ++a) {
-      highest[a] = value[a] > highest[a] ? value[a] : highest[a];
-      taint[a] += value[a] - value[a];
+  Lanes() {
+    std::ranges::fill(lowest, kInfinity);
+    std::ranges::fill(highest, -kInfinity);
+    std::ranges::fill(taint, 0.0F);
+    std::ranges::fill(negative, kInfinity);
+  }
+  /// `above_zero`: minus infinity for coordinates, zero for radii.
+  void add(const Sphere* spheres, const float (&above_zero)[kLanes]) {
+    float value[kLanes];
+    std::memcpy(value, spheres, sizeof value);
+    for (std::size_t k = 0; k < kLanes; ++k) {
+      highest[k] = value[k] > highest[k] ? value[k] : highest[k];
+      taint[k] += value[k] - value[k];
+      negative[k] = value[k] < negative[k] ? value[k] : negative[k];
+      const float counted = value[k] > above_zero[k] ? value[k] : kInfinity;
+      lowest[k] = counted < lowest[k] ? counted : lowest[k];
     }
-    for (int a = 0; a < 3; ++a) lowest[a] = value[a] < lowest[a] ? value[a] : lowest[a];
-    lowest[3] = radius_or_infinity < lowest[3] ? radius_or_infinity : lowest[3];
   }
 };
 
@@ -77,22 +91,32 @@ std::vector<Sphere> take_sample(SceneView scene) {
 }  // namespace
 
 FactsPass measure_facts(std::span<const Sphere> spheres) {
-  Lanes lanes;
-  bool negative_radius = false;
-  for (const Sphere& s : spheres) {
-    negative_radius |= s.r < 0.0F;
-    lanes.add({s.x, s.y, s.z, s.r}, s.r == 0.0F ? kInfinity : s.r);
-  }
   FactsPass pass;
   pass.facts.sphere_count = spheres.size();
-  for (const float t : lanes.taint) pass.valid = pass.valid && t == 0.0F;
-  pass.valid = pass.valid && !negative_radius;
-  for (int a = 0; a < 3; ++a) {
-    pass.facts.lowest[a] = lanes.lowest[a];
-    pass.facts.highest[a] = lanes.highest[a];
+  if (spheres.empty()) return pass;
+  Lanes lanes;
+  float above_zero[Lanes::kLanes];
+  for (std::size_t k = 0; k < Lanes::kLanes; ++k) above_zero[k] = k % 4 == 3 ? 0.0F : -kInfinity;
+  std::size_t i = 0;
+  for (; i + kAbreast <= spheres.size(); i += kAbreast) lanes.add(&spheres[i], above_zero);
+  Sphere rest[kAbreast];
+  for (std::size_t k = 0; k < kAbreast; ++k) rest[k] = spheres[std::min(i + k, spheres.size() - 1)];
+  lanes.add(rest, above_zero);
+
+  float lowest[4] = {kInfinity, kInfinity, kInfinity, kInfinity};
+  float highest[4] = {-kInfinity, -kInfinity, -kInfinity, -kInfinity};
+  for (std::size_t k = 0; k < Lanes::kLanes; ++k) {
+    lowest[k % 4] = std::min(lowest[k % 4], lanes.lowest[k]);
+    highest[k % 4] = std::max(highest[k % 4], lanes.highest[k]);
+    pass.valid = pass.valid && lanes.taint[k] == 0.0F;
+    pass.valid = pass.valid && (k % 4 != 3 || lanes.negative[k] >= 0.0F);
   }
-  pass.facts.r_max = spheres.empty() ? 0.0F : lanes.highest[3];
-  pass.facts.r_min_nonzero = lanes.lowest[3] == kInfinity ? 0.0F : lanes.lowest[3];
+  for (int a = 0; a < 3; ++a) {
+    pass.facts.lowest[a] = lowest[a];
+    pass.facts.highest[a] = highest[a];
+  }
+  pass.facts.r_max = highest[3];
+  pass.facts.r_min_nonzero = lowest[3] == kInfinity ? 0.0F : lowest[3];
   return pass;
 }
 

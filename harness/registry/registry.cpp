@@ -30,10 +30,10 @@ constexpr Costs kDeviceCosts = {.per_id = 0.042,
                                           .per_id = 0.0045,
                                           .per_pass = 0.006,
                                           .finer_probe = true,
+                                          .sides_per_doubling = 4,
                                           .most_columns = 1}};
 
-constexpr std::array kAllMethods = {Method::home_phantom, Method::brute_force};
-constexpr std::array kCudaMethods = {Method::home_phantom, Method::half_shell, Method::brute_force};
+constexpr std::array kAllMethods = {Method::home_phantom, Method::half_shell, Method::brute_force};
 
 std::optional<std::string> always_available() { return std::nullopt; }
 
@@ -82,7 +82,7 @@ constexpr std::array kBackends = {
     BackendInfo{.name = "impl_cuda_custom",
                 .kind = Kind::backend,
                 .summary = "uniform grid and radix sort, kernels of our own (CUDA)",
-                .methods = kCudaMethods,
+                .methods = kAllMethods,
                 .threaded = false,
                 .why_unavailable = cuda_custom::why_unavailable,
                 .create = cuda_custom::make_backend,
@@ -132,17 +132,21 @@ const BackendInfo& backend_named(std::string_view name) {
 }
 
 PlanOptions Implementation::plan_options(int threads) const {
+  const bool has_half_shell =
+      std::ranges::find(backend->methods, Method::half_shell) != backend->methods.end();
+  const Skips allowed = has_half_shell ? Skips::all() : Skips::all().without(Skip::phantoms);
   return {.method = method,
           .rule = rule,
           .threads = threads,
+          .allowed = allowed,
           .buffers_only = is_baseline(),
           .costs = backend->costs};
 }
 
 std::string Implementation::label() const {
   if (is_baseline()) return std::string(backend->name);
-  if (!has_rule()) return fmt::format("{} {}", backend->name, name_of(method));
-  return fmt::format("{} {} {}", backend->name, name_of(method), name_of(rule));
+  if (!has_rule()) return fmt::format("{} {}", backend->name, method_name());
+  return fmt::format("{} {} {}", backend->name, method_name(), name_of(rule));
 }
 
 std::vector<Implementation> implementations(std::string_view backend) {
@@ -150,7 +154,7 @@ std::vector<Implementation> implementations(std::string_view backend) {
   if (backend != "all") backend_named(backend);  // an unknown name is an error
   for (const BackendInfo& b : kBackends) {
     if (backend != "all" && backend != b.name) continue;
-    if (b.kind == Kind::baseline) list.push_back({.backend = &b});
+    list.push_back({.backend = &b});
     for (const Method method : b.methods) {
       if (method != Method::home_phantom) {
         list.push_back({.backend = &b, .method = method});

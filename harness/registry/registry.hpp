@@ -45,18 +45,24 @@ const BackendInfo& backend_named(std::string_view name);
 /// One way to answer: a row of every table.
 struct Implementation {
   const BackendInfo* backend;
-  Method method = Method::home_phantom;  // of our backends
-  Rule rule = Rule::lowest_cell;         // of method home_phantom
+  std::optional<Method> method = {};  // of our backends; none: the planner chooses
+  Rule rule = Rule::lowest_cell;      // of method home_phantom
 
   [[nodiscard]] bool is_baseline() const { return backend->kind == Kind::baseline; }
   [[nodiscard]] bool has_rule() const { return !is_baseline() && method == Method::home_phantom; }
+  /// Ours, as the planner would have it.
+  [[nodiscard]] bool planned() const { return !is_baseline() && !method; }
+  /// "planned" or the method's name.
+  [[nodiscard]] std::string_view method_name() const {
+    return method ? name_of(*method) : "planned";
+  }
   /// Kept because it is wrong: its losses are the lesson, and no row of it counts as a failure.
   [[nodiscard]] bool exhibit() const { return has_rule() && rule == Rule::as_written; }
   /// A library's own fault: pairs that such a row lacks are reported, and not counted as a failure.
   [[nodiscard]] bool has_known_faults() const { return !backend->known_faults.empty(); }
   /// What the planner is told of it.
   [[nodiscard]] PlanOptions plan_options(int threads = 1) const;
-  /// "impl_cpu home_phantom lowest_cell"
+  /// "impl_cpu planned", "impl_cpu home_phantom lowest_cell"
   [[nodiscard]] std::string label() const;
 };
 

@@ -74,8 +74,8 @@ inline void cell_ids(Workspace& w) {
                       .sphere_count = static_cast<std::uint32_t>(w.sphere_count()),
                       .facts = w.plan.facts,
                       .levels = w.plan.levels,
-                      .cell_ids = w.ids[0].cell_ids.data(),
-                      .objects = w.ids[0].objects.data(),
+                      .cell_ids = w.side(0).keys,
+                      .objects = w.side(0).values,
                       .state = state,
                       .digits = w.sorter->histograms(&state->ids, w.sort_scratch.data())};
   constexpr void (*kByPasses[])(IdsJob) = {ids_kernel<1>, ids_kernel<2>, ids_kernel<3>,

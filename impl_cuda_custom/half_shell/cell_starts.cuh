@@ -36,7 +36,7 @@ struct CellStarts {
 };
 
 inline CellStarts starts_of(Workspace& w) {
-  return {.cell_ids = w.sorted().cell_ids.data(),
+  return {.cell_ids = w.sorted().keys,
           .starts = w.cell_starts.data(),
           .shift = starts_shape(w.plan).shift};
 }

@@ -214,7 +214,7 @@ inline Shells shells_of(Workspace& w, const CellStarts& starts) {
                    .rows_wrap = false,
                    .starts = starts,
                    .spheres = w.sorted_spheres.data(),
-                   .objects = w.sorted().objects.data()};
+                   .objects = w.sorted().values};
   for (int k = 0; k < w.plan.levels.count; ++k) {
     const Level& level = w.plan.levels.level[k];
     shells.open[k] = is_open(level);
@@ -231,7 +231,7 @@ inline OpenLevel open_level_of(Workspace& w, const CellStarts& starts) {
           .layer = level.grid.stride_z,
           .starts = starts,
           .spheres = w.sorted_spheres.data(),
-          .objects = w.sorted().objects.data()};
+          .objects = w.sorted().values};
 }
 
 /// Calls run(neighbours) with the one of the two that the plan needs.

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Rung 4: a pass reads every pair once and writes it once (Adinets & Merrill 2022, arXiv
-// 2206.01784). Against rung 3: the digits of all passes are counted in one reading at the start;
-// where a tile's
-//   keys go follows from the tiles below by decoupled look-back, so there is no upsweep and no scan
-//   between. Digits have up to 10 bits, so 20 bits take two passes and 17 bits two instead of
-//   three; tiles are larger, and their size follows from how many pairs there may be.
+//   2206.01784). Against rung 3: the digits of all passes are counted in one reading at the start;
+//   where a tile's keys go follows from the tiles below by decoupled look-back, so there is no
+//   upsweep and no scan between. Digits have up to 10 bits, so 20 bits take two passes and 17 bits
+//   two instead of three. Between two passes a key stands beside its value, so a pair is written as
+//   one word of 64 bits. Tiles are larger, and their size follows from how many pairs there may be.
 // Why it should help: a pass costs two memory operations a pair instead of three, in one launch
-//   instead of three; fewer passes for the widths that cell ids have.
+//   instead of three; fewer passes for the widths that cell ids have; runs of neighbours that are
+//   twice as long in memory, and half as many.
 // Measured: the ladder in the report of `octocell bench-sort`, algorithm cuda_onesweep.
 #include <algorithm>
 
@@ -17,51 +18,60 @@
 namespace octocell::cuda_custom::onesweep {
 namespace {
 
-/// One block a multiprocessor, with all registers: on an H100 a block of 48 items a thread is
-/// faster than two of 18, since the runs of neighbours that it writes are longer. (Both ends of a
-/// run fill a sector of memory in part, and the time of a pass follows how many such sectors there
-/// are.)
-template <int kDigitBits, int kItems>
-__global__ void __launch_bounds__(kThreads, 1) onesweep_kernel(Pass pass) {
-  using Here = Tile<kDigitBits, kItems>;
-  extern __shared__ std::uint64_t memory[];
+/// With all registers: large tiles are fast, since the runs of neighbours that they write are long.
+/// (Both ends of a run fill a sector of memory in part, and the time of a pass follows how many
+/// such sectors there are.) That is one block a multiprocessor where digits are wide, else two, one
+/// of which ranks while the other waits for memory.
+template <int kDigitBits, int kItems, Form kFrom, Form kTo>
+__global__ void __launch_bounds__(threads_of(kDigitBits), kThreadsAtOnce / threads_of(kDigitBits))
+    onesweep_kernel(Pass pass) {
+  using Here = Tile<kDigitBits, kItems, kFrom, kTo>;
+  extern __shared__ uint4 memory[];
   Here tile(pass, *reinterpret_cast<typename Here::Shared*>(memory));
   if (!tile.take()) return;
-  tile.load_keys();
+  tile.load();
   tile.rank_in_warps();
   tile.rank_in_tile();
-  tile.order_keys();
-  tile.order_values_and_look_back();
+  tile.order();
+  tile.look_back();
   tile.write();
 }
 
 struct Variant {
-  void (*kernel)(Pass);
-  int items;  // of a thread
+  void (*kernels[2][2])(Pass);  // by the forms from which and to which they bring the pairs
+  int items;                    // of a thread
+  int threads;
   std::uint32_t tile_items;
   std::uint32_t owners;
   std::size_t shared_bytes;
 };
 template <int kDigitBits, int kItems>
 constexpr Variant variant() {
-  using Here = Tile<kDigitBits, kItems>;
-  return {onesweep_kernel<kDigitBits, kItems>, kItems, Here::kSize, Here::kOwners,
+  constexpr Form kArrays = Form::arrays;
+  constexpr Form kPairs = Form::pairs;
+  using Here = Tile<kDigitBits, kItems, kArrays, kArrays>;
+  return {{{onesweep_kernel<kDigitBits, kItems, kArrays, kArrays>,
+            onesweep_kernel<kDigitBits, kItems, kArrays, kPairs>},
+           {onesweep_kernel<kDigitBits, kItems, kPairs, kArrays>,
+            onesweep_kernel<kDigitBits, kItems, kPairs, kPairs>}},
+          kItems,
+          Here::kThreads,
+          Here::kSize,
+          Here::kOwners,
           sizeof(typename Here::Shared)};
 }
 
-/// By digit width, then by tile size, the largest last. Narrower digits use the first row.
-constexpr int kNarrowest = 5;
+/// By digit width, then by tile size, the largest last.
 constexpr int kTileSizes = 4;
 template <int kDigitBits>
 constexpr Variant kBySize[kTileSizes] = {variant<kDigitBits, 4>(), variant<kDigitBits, 16>(),
-                                         variant<kDigitBits, 32>(), variant<kDigitBits, 48>()};
-const Variant* const kByWidth[] = {kBySize<5>, kBySize<6>, kBySize<7>,
-                                   kBySize<8>, kBySize<9>, kBySize<10>};
-static_assert(kNarrowest + std::size(kByWidth) - 1 == kWidestDigit);
+                                         variant<kDigitBits, 32>(), variant<kDigitBits, 40>()};
+const Variant* const kByWidth[] = {kBySize<6>, kBySize<8>, kBySize<10>};
+static_assert(kWidestDigit == 10);
 
-/// All passes use the kernel of the widest digit, so that they share the look-back words.
+/// All passes use the kernels of the widest digit, so that they share the look-back words.
 const Variant& variant_of(const DigitPlan& plan, int tile) {
-  return kByWidth[std::max(plan.width(), kNarrowest) - kNarrowest][tile];
+  return kByWidth[(std::max(plan.width(), 6) - 5) / 2][tile];
 }
 
 int attribute(cudaDeviceAttr which) {
@@ -72,18 +82,19 @@ int attribute(cudaDeviceAttr which) {
   return value;
 }
 
-/// The tile with which the multiprocessors are done first, among those that shared memory holds.
-/// All take a tile each, then the next; a tile takes a time for each item of a thread and a time
-/// besides (latencies, counters), about that of 16 items.
+/// The tile with which the blocks that run at once are done first, among those that shared memory
+/// holds. All take a tile each, then the next; a tile takes a time for each item of a thread and a
+/// time besides (latencies, counters), about that of 28 items.
 int tile_size(std::uint32_t capacity, const DigitPlan& plan) {
-  constexpr std::uint64_t kBesides = 16;
+  constexpr std::uint64_t kBesides = 28;
   const auto processors = static_cast<std::uint32_t>(attribute(cudaDevAttrMultiProcessorCount));
   const auto room = static_cast<std::size_t>(attribute(cudaDevAttrMaxSharedMemoryPerBlockOptin));
   int best = 0;
   std::uint64_t best_time = ~std::uint64_t{0};
   for (int tile = 0; tile < kTileSizes; ++tile) {
     const Variant& v = variant_of(plan, tile);
-    const std::uint64_t rounds = parts_of(parts_of(capacity, v.tile_items), processors);
+    const std::uint32_t at_once = processors * (kThreadsAtOnce / v.threads);
+    const std::uint64_t rounds = parts_of(parts_of(capacity, v.tile_items), at_once);
     const std::uint64_t time = rounds * (v.items + kBesides);
     if (v.shared_bytes > room || time >= best_time) continue;
     best = tile;
@@ -94,11 +105,15 @@ int tile_size(std::uint32_t capacity, const DigitPlan& plan) {
 
 /// More than 48 KiB of shared memory must be asked for, once a device.
 void ask_for_shared_memory(const Variant& v) {
-  const auto set = [&](cudaFuncAttribute which, int value) {
-    cuda::check(cudaFuncSetAttribute(reinterpret_cast<const void*>(v.kernel), which, value));
+  const auto set = [](auto* kernel, cudaFuncAttribute which, int value) {
+    cuda::check(cudaFuncSetAttribute(reinterpret_cast<const void*>(kernel), which, value));
   };
-  set(cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(v.shared_bytes));
-  set(cudaFuncAttributePreferredSharedMemoryCarveout, cudaSharedmemCarveoutMaxShared);
+  for (const auto& kernels : v.kernels) {
+    for (auto* kernel : kernels) {
+      set(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(v.shared_bytes));
+      set(kernel, cudaFuncAttributePreferredSharedMemoryCarveout, cudaSharedmemCarveoutMaxShared);
+    }
+  }
 }
 
 /// Where things lie in the scratch memory.
@@ -167,7 +182,8 @@ void launch(const Shape& shape, const Call& call) {
 void launch_passes(const Shape& shape, const Call& call) {
   const Variant& v = variant_of(shape.plan, shape.tile);
   const Layout there = layout_of(shape, call.scratch);
-  for (int p = 0; p < shape.plan.passes; ++p) {
+  const int last = shape.plan.passes - 1;
+  for (int p = 0; p <= last; ++p) {
     const Pass pass = {.from = call.from(p),
                        .to = call.to(p),
                        .count = call.count,
@@ -176,9 +192,11 @@ void launch_passes(const Shape& shape, const Call& call) {
                        .starts = there.starts + static_cast<std::size_t>(p) * 2 * v.owners,
                        .next_tile = there.next_tile + p,
                        .words = there.words + look_back::kMargin * v.owners,
-                       .states = look_back::states_of(p)};
-    v.kernel<<<parts_of(shape.capacity, v.tile_items), kThreads, v.shared_bytes, call.stream>>>(
-        pass);
+                       .states = look_back::states_of(p),
+                       .ones = kOnes};
+    const auto kernel = v.kernels[p == 0 ? 0 : 1][p == last ? 0 : 1];  // the caller has arrays
+    const std::uint32_t tiles = parts_of(shape.capacity, v.tile_items);
+    kernel<<<tiles, v.threads, v.shared_bytes, call.stream>>>(pass);
     cuda::check(cudaGetLastError());
   }
 }

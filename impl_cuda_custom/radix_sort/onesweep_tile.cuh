@@ -3,14 +3,22 @@
 // write.
 #pragma once
 
+#include <cuda_pipeline.h>
+
 #include "impl_cuda_custom/radix_sort/device_tools.cuh"
 #include "impl_cuda_custom/radix_sort/look_back.cuh"
+#include "impl_cuda_custom/radix_sort/peers.cuh"
 #include "impl_cuda_custom/radix_sort/rungs.cuh"
 
 namespace octocell::cuda_custom::onesweep {
 
-constexpr int kThreads = 512;
-constexpr int kWarps = kThreads / kWarpThreads;
+/// How the pairs of a side lie in its memory: as the caller's two arrays, or, between two passes,
+/// each key beside its value.
+enum class Form : std::uint8_t { arrays, pairs };
+
+__host__ __device__ inline uint2* pairs_of(const KeysAndValues& side) {
+  return reinterpret_cast<uint2*>(side.keys);
+}
 
 /// One pass over all tiles.
 struct Pass {
@@ -23,31 +31,35 @@ struct Pass {
   std::uint32_t* next_tile;
   std::uint64_t* words;  // look-back: [tiles][bins / 2], behind a margin
   look_back::States states;
+  std::uint32_t ones;  // kOnes
 };
+
+/// Threads of a block, by the widest digit; 512 threads of a multiprocessor have all its registers.
+constexpr int kThreadsAtOnce = 512;
+constexpr int threads_of(int digit_bits) { return digit_bits <= 8 ? 256 : kThreadsAtOnce; }
 
 /// A block and its tile. Counters of two neighbouring digits, 16 bits each, share a word (a tile
 /// has fewer than 2^16 items), so a thread that owns a word owns both digits: it sums them up in
 /// one addition, and its look-back word holds both.
-template <int kDigitBits, int kItems>
+template <int kDigitBits, int kItems, Form kFrom, Form kTo>
 class Tile {
  public:
+  static constexpr int kThreads = threads_of(kDigitBits);
+  static constexpr int kWarps = kThreads / kWarpThreads;
   static constexpr std::uint32_t kBins = 1u << kDigitBits;
   static constexpr std::uint32_t kOwners = kBins / 2;
   static constexpr std::uint32_t kSize = kThreads * kItems;
-  static constexpr int kAbreast = kItems % 3 == 0 ? 3 : 2;  // items ranked at once by a thread
-  static constexpr int kAtOnce = kItems <= 16 ? 8 : 4;      // look-back: see sum_below()
+  static constexpr int kAbreast = 2;                    // items ranked at once by a thread
+  static constexpr int kAtOnce = kItems <= 16 ? 8 : 4;  // look-back: see sum_below()
   static_assert(kAtOnce <= look_back::kMostAtOnce);
-  static_assert(kOwners <= kThreads && kSize < 1u << 16 && kItems % kAbreast == 0);
+  static_assert(kOwners <= kThreads && kSize < 1u << 16 && kItems % 4 == 0);
 
-  struct Ordered {
-    std::uint32_t keys[kSize];
-    std::uint32_t values[kSize];
-  };
   struct Shared {
     union {  // the counts are done with when the first key is put in order
       std::uint32_t counts[kWarps][kOwners];
-      Ordered ordered;
+      std::uint32_t keys[kSize];
     };
+    alignas(16) std::uint32_t values[kSize];
     std::uint32_t offsets[kBins];  // from a key's place in the tile to its place in the output
     std::uint32_t warp_sums[kWarps];
     std::uint32_t number;
@@ -69,16 +81,23 @@ class Tile {
   }
 
   /// Beyond the end stand keys with the greatest digit: they come last, and are not written.
-  __device__ void load_keys() { load_items(pass_.from.keys, 0xffffffffu, keys_); }
+  __device__ void load() {
+    if constexpr (kFrom == Form::pairs) {
+      load_pairs();
+    } else {
+      load_keys();
+      fetch_values();
+    }
+  }
 
-  /// How many keys with the same digit stand before each key in its warp; counts them, too. A few
-  /// items at a time, so that one's votes and counter do not wait for the other's.
+  /// How many keys with the same digit stand before each key in its warp; counts them, too.
   __device__ void rank_in_warps() {
     std::uint32_t(&counts)[kOwners] = s_.counts[warp_of_thread()];
     for (std::uint32_t i = lane_of_thread(); i < kOwners; i += kWarpThreads) counts[i] = 0;
     __syncwarp();
 #pragma unroll
     for (int item = 0; item < kItems; item += kAbreast) rank_abreast(item, counts);
+    forget(keys_);
     __syncthreads();
   }
 
@@ -103,18 +122,24 @@ class Tile {
     __syncthreads();  // the ordered keys lie where the counts are
   }
 
-  __device__ void order_keys() {
+  __device__ void order() {
 #pragma unroll
-    for (int item = 0; item < kItems; ++item) s_.ordered.keys[rank(item)] = keys_[item];
+    for (int item = 0; item < kItems; ++item) s_.keys[rank(item)] = keys_[item];
+    forget(ranks_);
+    if constexpr (kFrom == Form::arrays) collect_values();
+#pragma unroll
+    for (int item = 0; item < kItems; ++item) s_.values[rank(item)] = values_[item];
   }
 
-  /// Loads values, and while they are on their way finds where each digit of this tile goes.
-  __device__ void order_values_and_look_back() {
-    std::uint32_t values[kItems];
-    load_items(pass_.from.values, 0, values);
-    if (is_owner()) look_back_for_digits();
-#pragma unroll
-    for (int item = 0; item < kItems; ++item) s_.ordered.values[rank(item)] = values[item];
+  /// Finds where each digit of this tile goes: adds what stands in the tiles below.
+  __device__ void look_back() {
+    if (is_owner() && number_ != 0) {
+      const std::uint64_t below =
+          look_back::sum_below<kOwners, kAtOnce>(word() - kOwners, pass_.states);
+      publish(pass_.states.whole, below + own_counts());
+      s_.offsets[2 * threadIdx.x] += look_back::even_of(below);
+      s_.offsets[2 * threadIdx.x + 1] += look_back::odd_of(below);
+    }
     __syncthreads();
   }
 
@@ -125,16 +150,54 @@ class Tile {
 
  private:
   /// A warp's items are neighbours, so warps and their items follow the order of the input.
-  __device__ void load_items(const std::uint32_t* from, std::uint32_t beyond_end,
-                             std::uint32_t (&items)[kItems]) const {
-    const std::uint32_t place = warp_of_thread() * kItems * kWarpThreads + lane_of_thread();
+  __device__ static std::uint32_t first_of_warp() {
+    return warp_of_thread() * kItems * kWarpThreads;
+  }
+  __device__ void load_pairs() {
+    const std::uint32_t place = first_of_warp() + lane_of_thread();
     const int left = static_cast<int>(here_) - static_cast<int>(place);
-    const std::uint32_t* const mine = from + first_ + place;
+    const uint2* const mine = pairs_of(pass_.from) + first_ + place;
 #pragma unroll
     for (int item = 0; item < kItems; ++item) {
-      items[item] = item * kWarpThreads < left ? mine[item * kWarpThreads] : beyond_end;
+      const int i = item * kWarpThreads;
+      const uint2 pair = i < left ? mine[i] : make_uint2(0xffffffffu, 0);
+      keys_[item] = pair.x;
+      values_[item] = pair.y;
     }
   }
+  __device__ void load_keys() {
+    const std::uint32_t place = first_of_warp() + lane_of_thread();
+    const int left = static_cast<int>(here_) - static_cast<int>(place);
+    const std::uint32_t* const mine = pass_.from.keys + first_ + place;
+#pragma unroll
+    for (int item = 0; item < kItems; ++item) {
+      const int i = item * kWarpThreads;
+      keys_[item] = i < left ? mine[i] : 0xffffffffu;
+    }
+  }
+  /// Values of arrays wait in shared memory, in the order of the input, until keys have places.
+  /// They come while keys are ranked, four at a time; the room behind the last one is the array's,
+  /// too.
+  __device__ void fetch_values() {
+#pragma unroll
+    for (int k = 0; k < kItems / 4; ++k) {
+      const std::uint32_t i = first_of_warp() + (k * kWarpThreads + lane_of_thread()) * 4;
+      if (i >= here_) break;
+      __pipeline_memcpy_async(&s_.values[i], pass_.from.values + first_ + i, 16);
+    }
+    __pipeline_commit();
+  }
+  /// A warp reads only what its own lanes fetched.
+  __device__ void collect_values() {
+    __pipeline_wait_prior(0);
+    __syncwarp();
+#pragma unroll
+    for (int item = 0; item < kItems; ++item) {
+      values_[item] = s_.values[first_of_warp() + item * kWarpThreads + lane_of_thread()];
+    }
+    __syncthreads();  // all have read before the first writes
+  }
+
   /// Keys with the same digit lie side by side, here and in the output. Without a question after
   /// each item in a full tile, whose reads then overlap.
   template <bool kFull>
@@ -143,10 +206,14 @@ class Tile {
     for (int item = 0; item < kItems; ++item) {
       const std::uint32_t rank = item * kThreads + threadIdx.x;
       if (!kFull && rank >= here_) break;
-      const std::uint32_t key = s_.ordered.keys[rank];
+      const std::uint32_t key = s_.keys[rank];
       const std::uint32_t place = s_.offsets[digit_of(key)] + rank;
-      pass_.to.keys[place] = key;
-      pass_.to.values[place] = s_.ordered.values[rank];
+      if constexpr (kTo == Form::pairs) {
+        pairs_of(pass_.to)[place] = make_uint2(key, s_.values[rank]);
+      } else {
+        pass_.to.keys[place] = key;
+        pass_.to.values[place] = s_.values[rank];
+      }
     }
   }
   __device__ std::uint32_t digit_of(std::uint32_t key) const {
@@ -170,7 +237,7 @@ class Tile {
     std::uint32_t before[kAbreast] = {};
 #pragma unroll
     for (int k = 0; k < kAbreast; ++k) digits[k] = digit_of(keys_[first + k]);
-    find_peers(digits, peers);
+    find_peers<kDigitBits>(digits, pass_.ones, peers);
 #pragma unroll
     for (int k = 0; k < kAbreast; ++k) {
       const std::uint32_t up_to_here = __popc(peers[k] & lanes_up_to_here);
@@ -185,36 +252,11 @@ class Tile {
       const std::uint32_t word = __shfl_sync(kAllLanes, before[k], leader(peers[k]));
       add_to_rank(first + k, word >> half(digits[k]) & 0xffff);
     }
+    forget(ranks_[first / 2]);
   }
 
   /// The last lane with a digit: has counted them all.
   __device__ static int leader(unsigned peers) { return kWarpThreads - 1 - __clz(peers); }
-
-  /// The lanes whose digit is the same: those that vote alike on every bit.
-  __device__ static void find_peers(const std::uint32_t (&digits)[kAbreast],
-                                    unsigned (&peers)[kAbreast]) {
-#pragma unroll
-    for (int k = 0; k < kAbreast; ++k) peers[k] = kAllLanes;
-#pragma unroll
-    for (int bit = 0; bit < kDigitBits; ++bit) {
-#pragma unroll
-      for (int k = 0; k < kAbreast; ++k) peers[k] &= lanes_alike(digits[k] & 1u << bit);
-    }
-  }
-
-  /// The lanes of whose words none or all are zero as this lane's. In PTX, since ranking is bound
-  /// by how many instructions it has, and from CUDA C++ there come seven a bit and not four.
-  __device__ static unsigned lanes_alike(std::uint32_t word) {
-    unsigned lanes;
-    asm volatile(
-        "{ .reg .pred nonzero;\n"
-        "  setp.ne.u32 nonzero, %1, 0;\n"
-        "  vote.sync.ballot.b32 %0, nonzero, 0xffffffff;\n"
-        "  @!nonzero not.b32 %0, %0; }"
-        : "=r"(lanes)
-        : "r"(word));
-    return lanes;
-  }
 
   /// Look-back: an owner's word of this tile.
   __device__ std::uint64_t* word() const {
@@ -242,24 +284,15 @@ class Tile {
     s_.offsets[digit + 1] = odd_start - start - even_;
   }
 
-  /// Adds what stands in the tiles below.
-  __device__ void look_back_for_digits() {
-    if (number_ == 0) return;
-    const std::uint64_t below =
-        look_back::sum_below<kOwners, kAtOnce>(word() - kOwners, pass_.states);
-    publish(pass_.states.whole, below + own_counts());
-    s_.offsets[2 * threadIdx.x] += look_back::even_of(below);
-    s_.offsets[2 * threadIdx.x + 1] += look_back::odd_of(below);
-  }
-
   const Pass& pass_;
   Shared& s_;
   std::uint32_t number_;
   std::uint32_t first_;  // item of the input
   std::uint32_t here_;   // items; kSize but in the last tile
   std::uint32_t keys_[kItems];
-  std::uint32_t ranks_[(kItems + 1) / 2] = {};  // two in a word, to save registers
-  std::uint32_t even_ = 0;                      // how often an owner's two digits occur in the tile
+  std::uint32_t values_[kItems];
+  std::uint32_t ranks_[kItems / 2] = {};  // two in a word, to save registers
+  std::uint32_t even_ = 0;                // how often an owner's two digits occur in the tile
   std::uint32_t odd_ = 0;
 };
 

@@ -17,11 +17,21 @@ struct Job;
 
 enum class Rung : std::uint8_t { one_bit_split, digit_passes, reduce_then_scan, onesweep };
 
-/// Two device arrays of equal length that are sorted together.
+/// Two device arrays that are sorted together: one of the two sides between which pairs go to and
+/// fro. Made by arrays_in(), since both lie in one piece of memory.
 struct KeysAndValues {
   std::uint32_t* keys;
   std::uint32_t* values;
 };
+
+/// Memory of a side: the keys, then the values. In one piece, so that between two passes a key may
+/// stand there beside its value; each array in steps of 16 bytes, so that values are read by four.
+constexpr std::uint64_t words_of_side(std::uint64_t capacity) { return (capacity + 3) / 4 * 8; }
+
+/// The arrays in `memory` of words_of_side(capacity) words, aligned as cudaMalloc does.
+constexpr KeysAndValues arrays_in(std::uint32_t* memory, std::uint64_t capacity) {
+  return {memory, memory + words_of_side(capacity) / 2};
+}
 
 class RadixSort {
  public:
@@ -36,7 +46,7 @@ class RadixSort {
   [[nodiscard]] int result_side() const { return plan_.passes % 2; }
 
   /// Queues the sort of min(*count, capacity) pairs; `count` is on the device. Neither waits nor
-  /// allocates. `front` holds the input; both sides are overwritten.
+  /// allocates. `front` holds the input; all memory of both sides is overwritten.
   void launch(KeysAndValues front, KeysAndValues back, const std::uint64_t* count, void* scratch,
               cudaStream_t stream) const;
 

@@ -58,13 +58,14 @@ __global__ void hold_kernel() {
   while (clock64() - begin < kHoldCycles) continue;
 }
 
+/// Memory of a side, and the arrays in it.
 struct Columns {
   explicit Columns(std::uint64_t n) {
-    keys.allocate(n);
-    values.allocate(n);
+    memory.allocate(cuda_custom::words_of_side(n));
+    arrays = cuda_custom::arrays_in(memory.data(), n);
   }
-  DeviceArray<std::uint32_t> keys;
-  DeviceArray<std::uint32_t> values;
+  DeviceArray<std::uint32_t> memory;
+  cuda_custom::KeysAndValues arrays;
 };
 
 void copy_to(std::uint32_t* to, const std::uint32_t* from, std::uint64_t n, cudaStream_t stream) {
@@ -77,8 +78,8 @@ class Case final : public GpuSortCase {
       : n_(keys.size()), bits_(bits), input_(n_), front_(n_), back_(n_) {
     std::vector<std::uint32_t> values(n_);
     std::iota(values.begin(), values.end(), 0U);
-    copy_to(input_.keys.data(), keys.data(), n_, stream_);
-    copy_to(input_.values.data(), values.data(), n_, stream_);
+    copy_to(input_.arrays.keys, keys.data(), n_, stream_);
+    copy_to(input_.arrays.values, values.data(), n_, stream_);
     count_.allocate(1);
     faults_.allocate(1);
     check(cudaMemcpyAsync(count_.data(), &n_, sizeof(n_), cudaMemcpyDefault, stream_));
@@ -94,9 +95,7 @@ class Case final : public GpuSortCase {
     const cuda_custom::RadixSort sort(rung, n_, bits_);
     scratch_.allocate(sort.scratch_bytes());
     return timed([&] {
-      sort.launch({front_.keys.data(), front_.values.data()},
-                  {back_.keys.data(), back_.values.data()}, count_.data(), scratch_.data(),
-                  stream_);
+      sort.launch(front_.arrays, back_.arrays, count_.data(), scratch_.data(), stream_);
       return sort.result_side();
     });
   }
@@ -105,15 +104,15 @@ class Case final : public GpuSortCase {
     const cub_baseline::RadixSort sort(n_, bits_);
     scratch_.allocate(sort.scratch_bytes());
     return timed([&] {
-      return sort.launch({front_.keys.data(), front_.values.data()},
-                         {back_.keys.data(), back_.values.data()}, scratch_.data(), stream_);
+      return sort.launch({front_.arrays.keys, front_.arrays.values},
+                         {back_.arrays.keys, back_.arrays.values}, scratch_.data(), stream_);
     });
   }
 
   template <typename Sort>
   GpuRun timed(const Sort& sort) {
-    copy_to(front_.keys.data(), input_.keys.data(), n_, stream_);
-    copy_to(front_.values.data(), input_.values.data(), n_, stream_);
+    copy_to(front_.arrays.keys, input_.arrays.keys, n_, stream_);
+    copy_to(front_.arrays.values, input_.arrays.values, n_, stream_);
     hold_kernel<<<1, 1, 0, stream_>>>();
     check(cudaGetLastError());
     begin_.record(stream_);
@@ -128,7 +127,7 @@ class Case final : public GpuSortCase {
     check(cudaMemsetAsync(faults_.data(), 0, sizeof(found), stream_));
     const auto blocks = static_cast<unsigned>((n_ + 255) / 256);
     find_sort_faults_kernel<<<blocks, 256, 0, stream_>>>(
-        input_.keys.data(), sorted.keys.data(), sorted.values.data(),
+        input_.arrays.keys, sorted.arrays.keys, sorted.arrays.values,
         static_cast<std::uint32_t>(n_), faults_.data());
     check(cudaGetLastError());
     check(cudaMemcpyAsync(&found, faults_.data(), sizeof(found), cudaMemcpyDefault, stream_));

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "harness/cli/commands.hpp"
+#include "harness/cli/names.hpp"
+#include "harness/driver/complete.hpp"
+#include "harness/planner/explain.hpp"
+#include "harness/registry/registry.hpp"
+#include "harness/scenes/scenes.hpp"
+
+namespace octocell::cli {
+namespace {
+
+constexpr int kRounds = 15;
+
+struct Options {
+  std::string scene;
+  std::string backend = "impl_cpu";
+  std::string method;
+  std::vector<std::string> no_skip;
+  std::vector<std::string> force;
+  int threads = 0;
+  bool analyze = false;
+  bool json = false;
+};
+
+/// A finder that stands, with one plan.
+class Candidate {
+ public:
+  Candidate(const BackendInfo& backend, SceneView scene, const PlanOptions& options)
+      : finder_(backend.create()), outcome_(find_completely(*finder_, scene, options)) {
+    clock_ = finder_->make_clock(Marks::off);
+  }
+  void run() {
+    finder_->find_pairs(*clock_);
+    times_.push_back(clock_->stop().total_ms);
+  }
+  [[nodiscard]] const Outcome& outcome() const { return outcome_; }
+  [[nodiscard]] const std::vector<double>& times() const { return times_; }
+
+ private:
+  std::unique_ptr<PairFinder> finder_;
+  Outcome outcome_;
+  std::unique_ptr<StageClock> clock_;
+  std::vector<double> times_;
+};
+
+/// Median over the rounds of what is saved, as a part of the time without the skip.
+double saving(const std::vector<double>& with, const std::vector<double>& without) {
+  std::vector<double> parts;
+  for (std::size_t k = 0; k < with.size(); ++k) parts.push_back(1.0 - with[k] / without[k]);
+  const auto middle = parts.begin() + static_cast<std::ptrdiff_t>(parts.size() / 2);
+  std::ranges::nth_element(parts, middle);
+  return *middle;
+}
+
+/// Times the plan beside one without each skip that it takes, in turn.
+void analyze(Explanation& explanation, Candidate& planned, const BackendInfo& backend,
+             SceneView scene, const PlanOptions& options) {
+  std::vector<std::pair<Decision*, std::unique_ptr<Candidate>>> rivals;
+  for (Decision& decision : explanation.decisions) {
+    if (!decision.taken) continue;
+    PlanOptions without = options;
+    without.allowed = options.allowed.without(decision.skip);
+    without.forced = options.forced.without(decision.skip);
+    rivals.emplace_back(&decision, std::make_unique<Candidate>(backend, scene, without));
+  }
+  for (int round = 0; round < kRounds; ++round) {
+    fmt::print(stderr, "\rround {} of {}{}", round + 1, kRounds, round + 1 == kRounds ? "\n" : "");
+    planned.run();
+    for (const auto& [decision, rival] : rivals) rival->run();
+  }
+  for (const auto& [decision, rival] : rivals) {
+    decision->measured_saving = saving(planned.times(), rival->times());
+  }
+}
+
+nlohmann::ordered_json to_json(const Explanation& explanation, const Outcome& outcome) {
+  using Json = nlohmann::ordered_json;
+  const auto or_null = [](const auto& value) { return value ? Json(*value) : Json(); };
+  Json decisions = Json::array();
+  for (const Decision& d : explanation.decisions) {
+    const SkipInfo& info = kSkips[static_cast<std::size_t>(d.skip)];
+    decisions.push_back({{"skip", info.name},
+                         {"taken", d.taken},
+                         {"saves", info.saves},
+                         {"fact", d.fact},
+                         {"proof", info.proof},
+                         {"expected_saving", or_null(d.expected_saving)},
+                         {"measured_saving", or_null(d.measured_saving)}});
+  }
+  return {{"scene", explanation.scene},
+          {"method", name_of(outcome.plan.method)},
+          {"cells", explanation.method},
+          {"sort", explanation.sort},
+          {"predicate", explanation.predicate},
+          {"pairs", outcome.counts.pairs},
+          {"candidates", outcome.counts.candidates},
+          {"decisions", decisions}};
+}
+
+PlanOptions plan_options(const Options& options) {
+  Implementation how{.backend = &backend_named(options.backend)};
+  if (how.is_baseline()) {
+    throw InputError(fmt::format("{} is a baseline: it has its own plan", options.backend));
+  }
+  if (const auto reason = how.backend->why_unavailable()) {
+    throw LimitError(fmt::format("{} cannot run here: {}", options.backend, *reason));
+  }
+  how.method = method_or_planned(options.method);
+  return with_skips(how.plan_options(thread_count(options.threads)), options.no_skip,
+                    options.force);
+}
+
+int explain_scene(const Options& options) {
+  const PlanOptions asked = plan_options(options);
+  const Scene scene = load_or_generate(options.scene);
+  const SceneStats stats = measure(scene.view());
+  const BackendInfo& backend = backend_named(options.backend);
+  Candidate planned(backend, scene.view(), asked);
+  const Outcome& outcome = planned.outcome();
+  require_used(asked.forced, outcome.counts.used);
+  Explanation explanation = explain(stats, outcome.plan, asked, outcome.counts.used);
+  if (options.analyze) analyze(explanation, planned, backend, scene.view(), asked);
+  if (options.json) {
+    fmt::print("{}\n", to_json(explanation, outcome).dump(2));
+  } else {
+    fmt::print("{}", to_text(explanation));
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app, Command& command) {
+  auto o = std::make_shared<Options>();
+  CLI::App* sub =
+      app.add_subcommand("explain", "Say what a scene needs, what it does not, and why");
+  sub->add_option("SCENE", o->scene, "A file (.npy, .csv, .pqr) or a generator: gas:n=1e5,seed=7")
+      ->required();
+  sub->add_option("--backend", o->backend, "A backend; see 'octocell list'");
+  sub->add_option(
+      "--method", o->method,
+      "planned (default: the planner chooses), home_phantom, half_shell or brute_force");
+  sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
+  add_skip_options(*sub, o->no_skip, o->force);
+  sub->add_flag("--analyze", o->analyze, "Time each skip against the same plan without it");
+  sub->add_flag("--json", o->json, "Print JSON");
+  sub->callback([&command, o] { command = [o] { return explain_scene(*o); }; });
+}
+
+}  // namespace octocell::cli

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "impl_cpu/half_shell/lanes.hpp"
+#include "impl_cpu/half_shell/ordered_spheres.hpp"
+#include "impl_cpu/half_shell/row_cursor.hpp"
+#include "impl_cpu/pair_sink.hpp"
+
+namespace octocell::cpu::half_shell {
+
+static_assert(OrderedSpheres::kMargin >= kLanes && OrderedSpheres::kMargin >= kPassed);
+
+/// Eight neighbours and a sphere that may overlap some of them, noted down as they are found and
+/// decided many at a time: a hit comes every few rounds, when no predictor expects it, so the loop
+/// that looks for hits has no branch on them.
+template <Band band>
+class Hits {
+ public:
+  explicit Hits(Workspace& w) : o_(w.ordered), sink_(w) {}
+  Hits(const Hits&) = delete;
+  Hits& operator=(const Hits&) = delete;
+  ~Hits() { decide(); }
+
+  /// The spheres of the run against all lanes, which begin at sphere `begin`.
+  void find(std::uint32_t begin, const Lanes& lanes, Run run) {
+    while (!run.empty()) {
+      const Run some = {run.begin, std::min(run.end, run.begin + kMostAtOnce)};
+      look_through(begin, lanes, some, [](std::uint64_t) { return LaneBits{0xffff}; });
+      run.begin = some.end;
+    }
+  }
+
+  /// The spheres of the run, which are those of the lanes, against the lanes before them.
+  void find_behind(std::uint32_t begin, const Lanes& lanes, Run run) {
+    look_through(begin, lanes, run, [begin](std::uint64_t j) {
+      return first_bits(static_cast<std::uint32_t>(j) - begin);
+    });
+  }
+
+  void add(std::uint32_t begin, const LaneMask& found, std::uint32_t sphere) {
+    const LaneBits bits = bits_of(found);
+    spheres_[count_] = std::uint64_t{begin} << 32 | sphere;
+    lanes_[count_] = bits;
+    count_ += bits != 0 ? 1 : 0;
+    if (count_ == kRoom) decide();
+  }
+
+ private:
+  static constexpr std::uint32_t kMostAtOnce = 256;
+  static constexpr std::uint32_t kRoom = 1024;
+
+  template <typename Which>
+  void look_through(std::uint32_t begin, const Lanes& lanes, Run run, const Which& which) {
+    if (count_ + kMostAtOnce > kRoom) decide();
+    count_ = note(lanes.x, lanes.y, lanes.z, lanes.r, o_.x.data(), o_.y.data(), o_.z.data(),
+                  o_.r.data(), std::uint64_t{begin} << 32, run, which, count_);
+  }
+
+  /// The inner loop of everything. A function of its own, whose arguments fit into registers.
+  template <typename Which>
+  [[gnu::noinline]] std::uint32_t note(Floats x, Floats y, Floats z, Floats r, const float* xs,
+                                       const float* ys, const float* zs, const float* rs,
+                                       std::uint64_t begin, Run run, Which which,
+                                       std::uint32_t count) {
+    std::uint64_t* const spheres = spheres_;
+    LaneBits* const lanes = lanes_;
+    for (std::uint64_t j = run.begin; j < run.end; ++j) {
+      const Floats dx = x - xs[j];
+      const Floats dy = y - ys[j];
+      const Floats dz = z - zs[j];
+      const Floats reach = r + rs[j];
+      const LaneBits bits = bits_of(dx * dx + dy * dy + dz * dz <= reach * reach) & which(j);
+      spheres[count] = begin | j;
+      lanes[count] = bits;
+      count += bits != 0 ? 1 : 0;
+    }
+    return count;
+  }
+
+  void decide() {
+    for (std::uint32_t k = 0; k < count_; ++k) {
+      const auto sphere = static_cast<std::uint32_t>(spheres_[k]);
+      const auto begin = static_cast<std::uint32_t>(spheres_[k] >> 32);
+      const Sphere other = o_.at(sphere);
+      const std::uint32_t other_id = o_.sphere[sphere];
+      for_each_lane(lanes_[k], [&](std::uint32_t lane) {
+        const std::uint32_t i = begin + lane;
+        sink_.take<band>(o_.at(i), o_.sphere[i], other, other_id);
+      });
+    }
+    count_ = 0;
+  }
+
+  const OrderedSpheres& o_;
+  PairSink sink_;
+  std::uint32_t count_ = 0;
+  std::uint64_t spheres_[kRoom];  // the first of the lanes, and the sphere
+  LaneBits lanes_[kRoom];
+};
+
+}  // namespace octocell::cpu::half_shell

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "impl_cpu/half_shell/ordered_spheres.hpp"
+
+namespace octocell::cpu::half_shell {
+
+/// Spheres [begin, end), in the order of their columns.
+struct Run {
+  std::uint32_t begin;
+  std::uint32_t end;
+  [[nodiscard]] bool empty() const { return begin >= end; }
+};
+
+/// Finds the rows of a level by id, quickly where the next is near the last: doubling steps from
+/// there, then halving ones (Bentley and Yao 1976, an almost optimal algorithm for unbounded
+/// searching). Rows are asked for nearly in order, so no table of all rows is needed, however many
+/// of them are empty.
+class RowCursor {
+ public:
+  RowCursor(const Row* begin, const Row* end) : begin_(begin), end_(end), at_(begin) {}
+
+  /// The first row whose id is at least that; end() if there is none.
+  const Row* not_before(std::uint64_t first_id) {
+    const Row* low = at_;
+    const Row* high = at_;
+    std::ptrdiff_t step = 1;
+    if (at_ == end_ || at_->first_id >= first_id) {
+      while (low != begin_ && (low - 1)->first_id >= first_id) {
+        high = low - 1;
+        low = high - std::min(step, high - begin_);
+        step *= 2;
+      }
+    } else {
+      while (high != end_ && high->first_id < first_id) {
+        low = high + 1;
+        high += std::min(step, end_ - high);
+        step *= 2;
+      }
+    }
+    at_ = std::ranges::lower_bound(low, high, first_id, {}, &Row::first_id);
+    return at_;
+  }
+
+  /// The spheres of the row with that id; none where there is no such row.
+  Run run_at(std::uint64_t first_id) {
+    const Row* const row = not_before(first_id);
+    if (row == end_ || row->first_id != first_id) return {0, 0};
+    return {row->begin, (row + 1)->begin};
+  }
+
+  /// The row that holds that sphere of the level.
+  [[nodiscard]] const Row* row_of(std::uint32_t sphere) const {
+    return std::ranges::upper_bound(begin_, end_, sphere, {}, &Row::begin) - 1;
+  }
+
+  [[nodiscard]] const Row* end() const { return end_; }
+
+ private:
+  const Row* begin_;
+  const Row* end_;
+  const Row* at_;
+};
+
+}  // namespace octocell::cpu::half_shell

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Where one thread's stage 5 leaves what it finds.
+#pragma once
+
+#include "impl_cpu/stages.hpp"
+
+namespace octocell::cpu {
+
+/// Doubts are kept for stage 6, or resolved block by block where nothing may be kept.
+class DoubtSink {
+ public:
+  explicit DoubtSink(Workspace& w) : w_(w) {}
+  void append(std::span<const Pair> doubts) {
+    if (!w_.plan.count_only) return w_.doubts.append(doubts);
+    w_.doubts.count(doubts.size());
+    resolve_block(w_, doubts);
+  }
+
+ private:
+  Workspace& w_;
+};
+
+class PairSink {
+ public:
+  explicit PairSink(Workspace& w) : sure_(w.pairs), doubt_sink_(w), doubts_(doubt_sink_) {}
+
+  /// Two spheres that may overlap, with band radii.
+  template <Band band>
+  void take(const Sphere& a, std::uint32_t id_a, const Sphere& b, std::uint32_t id_b) {
+    const Pair pair = make_pair_of(id_a, id_b);
+    if (band_is_sure<band>(a, b)) {
+      sure_.push(pair);
+    } else {
+      doubts_.push(pair);
+    }
+  }
+
+ private:
+  PairWriter sure_;
+  DoubtSink doubt_sink_;
+  ListWriter<Pair, 1024, DoubtSink> doubts_;
+};
+
+}  // namespace octocell::cpu

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "harness/interface/pair.hpp"
+#include "harness/interface/predicate.hpp"
+
+namespace octocell::on_thrust {
+
+/// Kept out of line: CUDA's algorithms unroll their loops, and this is long (minutes of nvcc).
+__attribute__((noinline)) OCTOCELL_HD bool overlap(const Sphere& a, const Sphere& b) {
+  return overlap_exact(a, b);
+}
+
+/// Decides a doubt.
+struct Overlaps {
+  const Sphere* spheres;
+  OCTOCELL_HD bool operator()(Pair pair) const { return overlap(spheres[pair.i], spheres[pair.j]); }
+};
+
+}  // namespace octocell::on_thrust

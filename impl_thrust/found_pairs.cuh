@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Stage 5's second half, whatever the method: pairs that work items find go where a scan says.
+#pragma once
+
+#include <thrust/for_each.h>
+#include <thrust/scan.h>
+#include <thrust/transform.h>
+#include <thrust/transform_reduce.h>
+
+#include "impl_thrust/decide.cuh"
+#include "impl_thrust/stages.cuh"
+
+namespace octocell::on_thrust {
+
+OCTOCELL_HD bool is_sure(Band band, const Sphere& p, const Sphere& q) {
+  return band == Band::fast ? band_is_sure<Band::fast>(p, q) : band_is_sure<Band::safe>(p, q);
+}
+
+// A `Test` says which pairs a work item finds: test.run(k, on_sure, on_doubt) calls one of the two
+// with each, the same ones in the same order however often it is asked.
+
+template <typename Test>
+struct CountFound {
+  Test test;
+  std::uint64_t entries;
+  OCTOCELL_HD Found operator()(std::uint64_t k) const {
+    Found found = {0, 0};
+    if (k == entries) return found;  // one past the last: the sum of all
+    test.run(
+        k, [&](Pair) { ++found.sure; }, [&](Pair) { ++found.doubts; });
+    return found;
+  }
+};
+
+struct FoundByBoth {
+  OCTOCELL_HD Found operator()(const Found& a, const Found& b) const {
+    return {a.sure + b.sure, a.doubts + b.doubts};
+  }
+};
+
+template <typename Test>
+struct WriteFound {
+  Test test;
+  const Found* found_before;
+  Pair* pairs;   // none: no room
+  Pair* doubts;  // likewise
+  OCTOCELL_HD void operator()(std::uint64_t k) const {
+    Found at = found_before[k];
+    const Found end = found_before[k + 1];
+    const bool writes_pairs = pairs != nullptr && at.sure != end.sure;
+    const bool writes_doubts = doubts != nullptr && at.doubts != end.doubts;
+    if (!writes_pairs && !writes_doubts) return;
+    test.run(
+        k,
+        [&](Pair pair) {
+          if (writes_pairs) pairs[at.sure++] = pair;
+        },
+        [&](Pair pair) {
+          if (writes_doubts) doubts[at.doubts++] = pair;
+        });
+  }
+};
+
+/// As PairDigest, which the device does not know how to merge.
+struct Digest {
+  std::uint64_t count;
+  std::uint64_t checksum;
+};
+
+struct DigestOfBoth {
+  OCTOCELL_HD Digest operator()(const Digest& a, const Digest& b) const {
+    return {a.count + b.count, a.checksum + b.checksum};
+  }
+};
+
+/// A count_only plan has no room for doubts: they are decided where they are found.
+template <typename Test>
+struct DigestFound {
+  Test test;
+  const Found* found_before;
+  Overlaps overlaps;
+  OCTOCELL_HD Digest operator()(std::uint64_t k) const {
+    Digest digest = {0, 0};
+    const Found at = found_before[k];
+    const Found end = found_before[k + 1];
+    if (at.sure == end.sure && at.doubts == end.doubts) return digest;
+    const auto take = [&](Pair pair) {
+      ++digest.count;
+      digest.checksum += mix_pair(pair);
+    };
+    test.run(k, take, [&](Pair pair) {
+      if (overlaps(pair)) take(pair);
+    });
+    return digest;
+  }
+};
+
+/// One work item an entry: counted, placed, written; or summed up, in a count_only plan.
+template <typename System, typename Test>
+void count_scan_write(Workspace<System>& w, const Test& test) {
+  const std::uint64_t entries = w.entries();
+  const Positions first(0);
+  const Positions end(entries);
+  Found* const found = w.found.data();
+  thrust::transform(w.system.policy(), first, end + 1, found, CountFound<Test>{test, entries});
+  thrust::exclusive_scan(w.system.policy(), found, found + entries + 1, found, Found{0, 0},
+                         FoundByBoth{});
+  const Found total = w.system.read(found + entries);
+  w.sure_count = w.pair_count = total.sure;
+  w.doubt_count = total.doubts;
+  if (w.plan.count_only) {
+    const Digest digest = thrust::transform_reduce(w.system.policy(), first, end,
+                                                   DigestFound<Test>{test, found, {w.spheres}},
+                                                   Digest{0, 0}, DigestOfBoth{});
+    w.pair_count = digest.count;
+    w.checksum = digest.checksum;
+    return;
+  }
+  thrust::for_each(w.system.policy(), first, end,
+                   WriteFound<Test>{test, found, w.pairs_complete() ? w.pairs.data() : nullptr,
+                                    w.doubts_complete() ? w.doubts.data() : nullptr});
+}
+
+}  // namespace octocell::on_thrust

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Method half_shell, where it differs: one id a sphere, and partners looked for in adjacent cells.
+#pragma once
+
+#include "impl_thrust/stages.cuh"
+
+namespace octocell::on_thrust::half_shell {
+
+/// Stage 2: the id of each sphere's column.
+template <typename System>
+void cell_ids(Workspace<System>& w);
+
+/// Stage 4: the spheres in the order of their columns, where each row begins, the candidates.
+template <typename System>
+void cell_index(Workspace<System>& w);
+
+/// Stage 5: each sphere against its half shell, and against the coarser levels around it.
+template <typename System>
+void pair_tests(Workspace<System>& w);
+
+/// The level that an id belongs to.
+OCTOCELL_HD int level_of_id(const Levels& levels, std::uint32_t id) {
+  int level = 0;
+  while (level + 1 < levels.count && id >= levels.level[level + 1].first_id) ++level;
+  return level;
+}
+
+/// The first place in [begin, end) where is_before(place) is false; it never is true again.
+template <typename IsBefore>
+OCTOCELL_HD std::uint32_t first_not(std::uint32_t begin, std::uint32_t end, IsBefore is_before) {
+  while (begin < end) {
+    const std::uint32_t middle = begin + (end - begin) / 2;
+    if (is_before(middle)) {
+      begin = middle + 1;
+    } else {
+      end = middle;
+    }
+  }
+  return begin;
+}
+
+}  // namespace octocell::on_thrust::half_shell

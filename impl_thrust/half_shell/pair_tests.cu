@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Stage 5 of half_shell: which spheres of adjacent cells overlap?
+// Reads members, rows. Writes sure pairs, and doubts for stage 6.
+// Cost: each candidate is looked at twice where its sphere finds something; five rows are searched
+//       for a sphere, and nine for each coarser level.
+// Idea: count, scan, write, one work item a sphere. Shell says which runs it meets.
+#include "impl_thrust/found_pairs.cuh"
+#include "impl_thrust/half_shell/shell.cuh"
+
+namespace octocell::on_thrust::half_shell {
+namespace {
+
+/// Sphere k against all in its runs.
+struct ShellTest {
+  Shell shell;
+  const Object* objects;
+  Band band;
+
+  template <typename OnSure, typename OnDoubt>
+  OCTOCELL_HD void run(std::uint64_t k, OnSure on_sure, OnDoubt on_doubt) const {
+    const Object a = objects[k];
+    const Sphere p = shell.members[k];
+    shell.for_each_run(static_cast<std::uint32_t>(k), [&](Run others) {
+      for (std::uint32_t j = others.begin; j < others.end; ++j) {
+        const Sphere q = shell.members[j];
+        if (!band_may_overlap(p, q)) continue;
+        const Pair pair = make_pair_of(a, objects[j]);
+        if (is_sure(band, p, q)) {
+          on_sure(pair);
+        } else {
+          on_doubt(pair);
+        }
+      }
+    });
+  }
+};
+
+}  // namespace
+
+template <typename System>
+void pair_tests(Workspace<System>& w) {
+  count_scan_write(w, ShellTest{shell_of(w), w.objects.data(), w.plan.band});
+}
+
+OCTOCELL_FOR_BOTH_SYSTEMS(pair_tests);
+
+}  // namespace octocell::on_thrust::half_shell

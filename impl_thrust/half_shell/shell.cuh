@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// Where the partners of a sphere lie.
+//
+// Spheres of a level that overlap lie in adjacent cells of its grid. So do a sphere and one of a
+// coarser level, in the coarser grid: their centres differ by at most r + r' <= 2 r', a cell's side
+// (docs/exactness.md, claim A). Each pair has one sphere that looks for it: of two of a level the
+// one with the other in its half shell, otherwise the finer one. It is the finer, since a giant's
+// work would be one work item's.
+#pragma once
+
+#include "impl_thrust/half_shell/half_shell.cuh"
+
+namespace octocell::on_thrust::half_shell {
+
+/// Spheres [begin, end), in the order of their columns.
+struct Run {
+  std::uint32_t begin;
+  std::uint32_t end;
+  [[nodiscard]] OCTOCELL_HD std::uint32_t size() const { return begin < end ? end - begin : 0; }
+};
+
+/// The columns near a sphere in one row.
+struct Window {
+  Run near;
+  Run across;  // what lies behind the seam of a wrapped axis
+};
+
+/// False behind the border of an axis that does not wrap.
+OCTOCELL_HD bool step_along(const Grid& grid, int axis, int step, std::uint32_t& at) {
+  const std::uint32_t last = grid.period(axis) - 1;
+  const bool leaves = (step < 0 && at == 0) || (step > 0 && at == last);
+  if (leaves && !grid.wraps(axis)) return false;
+  if (leaves) {
+    at = step < 0 ? last : 0;
+  } else {
+    at += static_cast<std::uint32_t>(step);
+  }
+  return true;
+}
+
+/// The cell of a centre as ids number it.
+OCTOCELL_HD Cell wrapped_cell(const Grid& grid, const Sphere& s) {
+  const Cell cell = cell_of(grid, s.x, s.y, s.z);
+  return {cell.x & grid.wrap_mask[0], cell.y & grid.wrap_mask[1], cell.z & grid.wrap_mask[2]};
+}
+
+struct Shell {
+  const Levels* levels;
+  const std::uint32_t* ids;  // sorted
+  const Sphere* members;     // in the same order
+  const Row* rows;           // [row_count + 1]
+  std::uint32_t row_count;
+
+  /// Calls visit(run) for runs that hold each partner of sphere k that it is the one to look for,
+  /// and no sphere twice.
+  template <typename Visit>
+  OCTOCELL_HD void for_each_run(std::uint32_t k, Visit visit) const {
+    const int own = level_of_id(*levels, ids[k]);
+    for (int l = own; l < levels->count; ++l) {
+      const Level& level = levels->level[l];
+      const Cell cell = wrapped_cell(level.grid, members[k]);
+      for (int z = -1; z <= 1; ++z) {
+        for (int y = -1; y <= 1; ++y) {
+          // Spheres of its own level in the other half find this one in theirs.
+          if (l == own && (z < 0 || (z == 0 && y < 0))) continue;
+          const Row* const row = row_at(level, cell, y, z);
+          if (row == nullptr) continue;
+          const bool within_row = l == own && y == 0 && z == 0;
+          const Window window = within_row ? window_behind(level, *row, cell.x, k)
+                                           : window_around(level, *row, cell.x);
+          visit(window.near);
+          visit(window.across);
+        }
+      }
+    }
+  }
+
+ private:
+  /// The row that many cells from `cell`; none if there is no such row, or nothing in it.
+  [[nodiscard]] OCTOCELL_HD const Row* row_at(const Level& level, Cell cell, int y, int z) const {
+    const Grid& grid = level.grid;
+    if (!step_along(grid, 1, y, cell.y) || !step_along(grid, 2, z, cell.z)) return nullptr;
+    const std::uint32_t first_id = level.first_id + grid.stride_y * cell.y + grid.stride_z * cell.z;
+    const std::uint32_t at =
+        first_not(0, row_count, [&](std::uint32_t r) { return rows[r].first_id < first_id; });
+    return at < row_count && rows[at].first_id == first_id ? rows + at : nullptr;
+  }
+
+  /// The spheres of a row in columns [first, last].
+  [[nodiscard]] OCTOCELL_HD Run in_columns(const Row& row, std::uint32_t first,
+                                           std::uint32_t last) const {
+    const std::uint32_t row_end = (&row + 1)->begin;
+    const std::uint32_t begin = first_not(
+        row.begin, row_end, [&](std::uint32_t i) { return ids[i] < row.first_id + first; });
+    const std::uint32_t end =
+        first_not(begin, row_end, [&](std::uint32_t i) { return ids[i] <= row.first_id + last; });
+    return {begin, end};
+  }
+
+  /// A period so short that both ends of a window meet: all columns are near, once.
+  [[nodiscard]] OCTOCELL_HD static bool all_near(const Level& level) {
+    return level.grid.wraps(0) && level.grid.period(0) <= 2 * level.reach;
+  }
+
+  /// Columns from level.reach before to level.reach behind.
+  [[nodiscard]] OCTOCELL_HD Window window_around(const Level& level, const Row& row,
+                                                 std::uint32_t column) const {
+    const std::uint32_t columns = level.grid.period(0);
+    if (all_near(level)) return {{row.begin, (&row + 1)->begin}, {0, 0}};
+    const bool before_first = column < level.reach;
+    const bool behind_last = column + level.reach >= columns;
+    Window window = {in_columns(row, before_first ? 0 : column - level.reach,
+                                behind_last ? columns - 1 : column + level.reach),
+                     {0, 0}};
+    if (!level.grid.wraps(0)) return window;
+    if (before_first) window.across = in_columns(row, columns + column - level.reach, columns - 1);
+    if (behind_last) window.across = in_columns(row, 0, column + level.reach - columns);
+    return window;
+  }
+
+  /// In its own row: what follows sphere k, as far as level.reach columns behind.
+  [[nodiscard]] OCTOCELL_HD Window window_behind(const Level& level, const Row& row,
+                                                 std::uint32_t column, std::uint32_t k) const {
+    const std::uint32_t columns = level.grid.period(0);
+    if (all_near(level)) return {{k + 1, (&row + 1)->begin}, {0, 0}};
+    const bool behind_last = column + level.reach >= columns;
+    const Run near = in_columns(row, column, behind_last ? columns - 1 : column + level.reach);
+    Window window = {{k + 1, near.end}, {0, 0}};
+    if (behind_last && level.grid.wraps(0)) {
+      window.across = in_columns(row, 0, column + level.reach - columns);
+    }
+    return window;
+  }
+};
+
+/// Of a workspace that stage 4 has been through.
+template <typename System>
+Shell shell_of(Workspace<System>& w) {
+  return {w.levels, w.cell_ids.data(), w.members.data(), w.rows.data(),
+          static_cast<std::uint32_t>(w.cell_count)};
+}
+
+}  // namespace octocell::on_thrust::half_shell
