@@ -91,6 +91,7 @@ double cost_within(const Level& level, const Members& members, double in_cell,
   return members.count * (costs.per_sphere + neighbour_rows * filled * costs.per_window +
                           candidates * costs.per_candidate) +
          rows_of_cells * filled * costs.per_row +
+         (grid.wraps() ? members.count * costs.per_wrapped : 0.0) +
          std::min<double>(level.ids, 8.0 * members.count) * costs.per_id;
 }
 

@@ -29,6 +29,7 @@ constexpr Costs kDeviceCosts = {.per_id = 0.042,
                                           .per_probe = 0.01,
                                           .per_id = 0.0045,
                                           .per_pass = 0.006,
+                                          .per_wrapped = 0.05,
                                           .finer_probe = true,
                                           .sides_per_doubling = 4,
                                           .most_columns = 1}};
