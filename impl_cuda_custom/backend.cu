@@ -41,6 +41,9 @@ class CudaBackend final : public GridPairFinder {
     if (plan.method == Method::home_phantom) {
       w_.sorter.emplace(Rung::onesweep, plan.capacity.ids, plan.key_bits);
     }
+    if (w_.half_shell()) {  // its own kernel counts digits: there must be one
+      w_.sorter.emplace(Rung::onesweep, plan.capacity.ids, std::max(plan.key_bits, 1));
+    }
     allocate();
     update(scene);
   }
@@ -111,6 +114,7 @@ class CudaBackend final : public GridPairFinder {
  protected:
   [[nodiscard]] Method method() const override { return w_.plan.method; }
   [[nodiscard]] bool nothing_to_find() const override { return w_.plan.nothing_to_find; }
+  [[nodiscard]] bool bounds_with_cell_ids() const override { return w_.half_shell(); }
   void bounds() override { cuda_custom::bounds(w_); }
   void cell_ids() override { cuda_custom::cell_ids(w_); }
   void sort() override { cuda_custom::sort(w_); }

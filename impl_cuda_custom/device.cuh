@@ -2,13 +2,12 @@
 // What kernels of several stages need: loads, atomics, sums over a warp and a block.
 #pragma once
 
+#include "impl_cuda_custom/radix_sort/device_tools.cuh"
 #include "impl_cuda_custom/stages.cuh"
 
 namespace octocell::cuda_custom {
 
-inline constexpr int kWarpThreads = 32;
 inline constexpr int kBlockWarps = kBlockThreads / kWarpThreads;
-inline constexpr unsigned kAllLanes = 0xffffffffU;
 
 __device__ inline int lane() { return static_cast<int>(threadIdx.x) % kWarpThreads; }
 __device__ inline int warp() { return static_cast<int>(threadIdx.x) / kWarpThreads; }
@@ -41,6 +40,18 @@ __device__ inline std::uint64_t sum_over_warp(std::uint64_t value) {
     value += __shfl_down_sync(kAllLanes, value, distance);
   }
   return value;
+}
+
+/// Every lane has the greatest of all lanes' values.
+__device__ inline std::uint32_t max_over_warp(std::uint32_t value) {
+#if __CUDA_ARCH__ >= 800
+  return __reduce_max_sync(kAllLanes, value);
+#else
+  for (int distance = kWarpThreads / 2; distance > 0; distance /= 2) {
+    value = max(value, __shfl_xor_sync(kAllLanes, value, distance));
+  }
+  return value;
+#endif
 }
 
 struct Scan {

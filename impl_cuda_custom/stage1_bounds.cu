@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Stage 1, bounds: does the scene still look as the plan takes for granted?
 // Reads spheres. Writes a violation, or nothing; opens State.
-// Cost: one pass, 16 bytes a sphere.
+// Cost: one pass, 16 bytes a sphere; none for half_shell, whose stage 2 checks on its way.
 // Idea: the plan's facts are limits, so every sphere is held against them by itself; nothing needs
 //       to be reduced, and in the good case nothing is written.
 #include "impl_cuda_custom/device.cuh"
+#include "impl_cuda_custom/sphere_facts.cuh"
 
 namespace octocell::cuda_custom {
 namespace {
@@ -12,17 +13,12 @@ namespace {
 constexpr int kSpheresPerThread = 4;  // so many loads are under way at once
 constexpr int kSpheresPerBlock = kBlockThreads * kSpheresPerThread;
 
-/// An assignment on the device: a copy from the host would need memory that outlives it.
-__global__ void open_state_kernel(State* state, State opening) { *state = opening; }
-
-__device__ std::uint32_t violation_of(const Sphere& s, const PlanFacts& facts) {
-  const bool finite = isfinite(s.x) && isfinite(s.y) && isfinite(s.z) && isfinite(s.r);
-  if (!finite || s.r < 0.0F) return kInvalidSphere;
-  bool inside = s.r <= facts.r_max && (s.r == 0.0F || s.r >= facts.r_min_nonzero);
-  inside = inside && s.x >= facts.lowest[0] && s.x <= facts.highest[0];
-  inside = inside && s.y >= facts.lowest[1] && s.y <= facts.highest[1];
-  inside = inside && s.z >= facts.lowest[2] && s.z <= facts.highest[2];
-  return inside ? 0 : kOutsidePlan;
+/// An assignment on the device: a copy from the host would need memory that outlives it. Clears
+/// the words in which half_shell's stage 2 counts, too.
+__global__ void open_state_kernel(State* state, State opening, std::uint32_t* counters,
+                                  std::uint64_t counter_count) {
+  if (threadIdx.x == 0) *state = opening;
+  for (std::uint64_t k = threadIdx.x; k < counter_count; k += blockDim.x) counters[k] = 0;
 }
 
 __global__ void __launch_bounds__(kBlockThreads)
@@ -54,9 +50,12 @@ State opening_state(const Workspace& w) {
 }  // namespace
 
 void bounds(Workspace& w) {
-  open_state_kernel<<<1, 1, 0, w.stream>>>(w.state.data(), opening_state(w));
+  constexpr int kOpeningThreads = 1024;
+  open_state_kernel<<<1, kOpeningThreads, 0, w.stream>>>(
+      w.state.data(), opening_state(w), reinterpret_cast<std::uint32_t*>(w.sort_scratch.data()),
+      w.half_shell() ? w.sorter->zeroed_words() : 0);
   cuda::check_launch();
-  if (w.sphere_count() == 0) return;
+  if (w.sphere_count() == 0 || w.half_shell()) return;
   bounds_kernel<<<blocks_for(w.sphere_count(), kSpheresPerBlock), kBlockThreads, 0, w.stream>>>(
       w.spheres.data(), w.sphere_count(), w.plan.facts, w.state.data());
   cuda::check_launch();

@@ -7,6 +7,7 @@
 //       by side, and a sphere that meets many cells holds nobody up.
 #include "harness/interface/as_written.hpp"
 #include "impl_cuda_custom/cell_box.cuh"
+#include "impl_cuda_custom/half_shell/cell_ids.cuh"
 
 namespace octocell::cuda_custom {
 namespace {
@@ -179,6 +180,7 @@ Job job_of(Workspace& w) {
 }  // namespace
 
 void cell_ids(Workspace& w) {
+  if (w.plan.method == Method::half_shell) return half_shell::cell_ids(w);
   if (w.sphere_count() == 0) return;
   const Job job = job_of(w);
   const unsigned blocks = blocks_for(w.sphere_count());

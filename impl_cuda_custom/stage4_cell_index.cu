@@ -7,6 +7,7 @@
 //       it cannot see, that a cell goes on behind the next tile, is written down. A cell's end and
 //       its first phantom are found by doubling and halving steps: no thread walks a cell.
 #include "impl_cuda_custom/device.cuh"
+#include "impl_cuda_custom/half_shell/cell_index.cuh"
 
 namespace octocell::cuda_custom {
 namespace {
@@ -111,6 +112,7 @@ __global__ void __launch_bounds__(kBlockThreads) cell_index_kernel(Job job) {
 }  // namespace
 
 void cell_index(Workspace& w) {
+  if (w.plan.method == Method::half_shell) return half_shell::cell_index(w);
   if (w.sphere_count() == 0 || w.plan.capacity.ids == 0) return;
   const KeysAndValues sorted = w.sorted();
   const Job job = {sorted.keys, sorted.values, w.crowded_tiles.data(), w.state.data(), w.plan.rule};

@@ -55,12 +55,31 @@ struct CrowdedTile {
   std::uint32_t cell_end;
 };
 
+/// Method half_shell: where the spheres of each cell begin among the sorted ones. One start for
+/// 2^shift ids, so that the list is not much longer than that of the spheres.
+struct StartsShape {
+  std::uint32_t ids = 0;  // of all levels
+  int shift = 0;
+  /// Starts: one behind the last group of ids, and one for the group that begins there.
+  [[nodiscard]] std::uint32_t starts() const { return (ids >> shift) + 2; }
+};
+inline StartsShape starts_shape(const Plan& plan) {
+  constexpr std::uint64_t kMostPerSphere = 8;
+  const Level& last = plan.levels.level[plan.levels.count - 1];
+  StartsShape shape = {.ids = last.first_id + last.ids};
+  while (shape.ids >> shape.shift > kMostPerSphere * plan.facts.sphere_count + 1024) ++shape.shift;
+  return shape;
+}
+
+/// Its stage 5 reads so many sorted spheres behind the last, and makes nothing of them.
+inline constexpr std::uint32_t kReadBehind = 34;
+
 /// Everything the stages share. The arrays are sized by the plan; the stages allocate nothing.
 struct Workspace {
   Plan plan;
   SceneView scene;  // on the host: words about a sphere are made of it
   cudaStream_t stream = nullptr;
-  std::optional<RadixSort> sorter;  // of method home_phantom
+  std::optional<RadixSort> sorter;  // of the methods that have a grid
 
   cuda::DeviceArray<State> state;                          // [1]
   cuda::DeviceArray<Sphere> spheres;                       // [spheres]
@@ -70,14 +89,21 @@ struct Workspace {
   cuda::DeviceArray<char> sort_scratch;                    // what the sorter asks for
   cuda::DeviceArray<chapter32::ControlBits> control_bits;  // [spheres], rule chapter32 only
   cuda::DeviceArray<CrowdedTile> crowded_tiles;            // [plan.capacity.ids / kBlockThreads]
-  cuda::DeviceArray<Pair> doubts;                          // [plan.capacity.doubts]
-  cuda::DeviceArray<Pair> pairs;                           // [plan.capacity.pairs]
+  cuda::DeviceArray<Sphere> sorted_spheres;      // [spheres + kReadBehind], half_shell only
+  cuda::DeviceArray<std::uint32_t> cell_starts;  // of them; see StartsShape
+  cuda::DeviceArray<Pair> doubts;                // [plan.capacity.doubts]
+  cuda::DeviceArray<Pair> pairs;                 // [plan.capacity.pairs]
 
   [[nodiscard]] std::uint64_t sphere_count() const { return scene.spheres.size(); }
   [[nodiscard]] bool brute_force() const { return plan.method == Method::brute_force; }
   /// Where the flags are; none: every pair may collide.
   [[nodiscard]] const Flags* flags_or_none() const {
     return scene.flags.empty() ? nullptr : flags.data();
+  }
+  /// True where method half_shell is asked for and has something to do, and the room.
+  [[nodiscard]] bool half_shell() const {
+    return plan.method == Method::half_shell && !plan.nothing_to_find && sphere_count() > 0 &&
+           plan.levels.count > 0 && plan.capacity.ids >= sphere_count();
   }
   /// Cell ids (keys) with their objects (values), [plan.capacity.ids]: on side 0 before the sort.
   [[nodiscard]] KeysAndValues side(int which) const {
@@ -93,10 +119,13 @@ struct Workspace {
     visit(spheres, sphere_count());
     visit(flags, scene.flags.size());
     for (auto& side : ids) visit(side, words_of_side(room.ids));
-    visit(wide_spheres, room.ids / kWidePhantoms);
+    const bool phantoms = plan.method == Method::home_phantom;
+    visit(wide_spheres, phantoms ? room.ids / kWidePhantoms : 0);
     visit(sort_scratch, sorter ? sorter->scratch_bytes() : 0);
     visit(control_bits, plan.rule == Rule::chapter32 ? sphere_count() : 0);
-    visit(crowded_tiles, room.ids / kBlockThreads);
+    visit(crowded_tiles, phantoms ? room.ids / kBlockThreads : 0);
+    visit(sorted_spheres, half_shell() ? sphere_count() + kReadBehind : 0);
+    visit(cell_starts, half_shell() ? starts_shape(plan).starts() : 0);
     visit(doubts, room.doubts);
     visit(pairs, room.pairs);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// impl_cuda_custom against impl_cpu, stage by stage in what each counts, and against the exact
-// pairs. Needs a CUDA device; elsewhere every test says why it was skipped.
+// impl_cuda_custom against impl_cpu, stage by stage in what each counts (half_shell, which numbers
+// its cells otherwise, in what it finds), and against the exact pairs. Needs a CUDA device;
+// elsewhere every test says why it was skipped.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,11 +27,12 @@ struct Way {
 constexpr Way kWays[] = {{Method::home_phantom, Rule::lowest_cell},
                          {Method::home_phantom, Rule::chapter32},
                          {Method::home_phantom, Rule::as_written},
+                         {Method::half_shell, Rule::lowest_cell},
                          {Method::brute_force, Rule::lowest_cell}};
 
 std::string name_of_way(const testing::TestParamInfo<Way>& info) {
   const Way& way = info.param;
-  return std::string(way.method == Method::brute_force ? name_of(way.method) : name_of(way.rule));
+  return std::string(way.method == Method::home_phantom ? name_of(way.rule) : name_of(way.method));
 }
 
 class OnDevice : public testing::Test {
@@ -61,7 +63,25 @@ class CudaCustom : public OnDevice, public testing::WithParamInterface<Way> {
     }
   }
 
+  /// The host's home_phantom, by the exact rule, says what half_shell must find.
+  void expect_the_pairs_of_impl_cpu(const Scene& scene) {
+    const Plan plan = roomy_plan(scene).value();
+    const auto cpu = cpu::make_backend();
+    find_completely(*cpu, scene.view(), {});
+    HostClock clock;
+    finder_->upload(plan, scene.view());
+    finder_->find_pairs(clock);
+    const Counts counts = finder_->counts();
+    EXPECT_EQ(counts.ids, scene.spheres.size()) << scene.spec;
+    EXPECT_LE(counts.cells, scene.spheres.size()) << scene.spec;
+    EXPECT_GE(counts.candidates, counts.pairs) << scene.spec;
+    EXPECT_EQ(counts.plan_violation, std::nullopt) << scene.spec;
+    EXPECT_EQ(finder_->digest(), cpu->digest()) << scene.spec;
+    EXPECT_EQ(finder_->download(), cpu->download()) << scene.spec;
+  }
+
   void expect_what_impl_cpu_finds(const Scene& scene) {
+    if (GetParam().method == Method::half_shell) return expect_the_pairs_of_impl_cpu(scene);
     const std::optional<Plan> plan = roomy_plan(scene);
     if (!plan) return;
     const auto cpu = cpu::make_backend();
@@ -177,6 +197,79 @@ TEST_F(OnDevice, AnyCellSideIsExact) {
   }
 }
 
+/// Finds the pairs with the levels that end at `cuts` and with the greatest radius.
+PairDigest found_with_levels(PairFinder& finder, const Scene& scene, std::vector<float> cuts,
+                             double diameters, std::uint32_t columns, int most_bits) {
+  Plan plan = make_plan(measure(scene.view()), {.method = Method::half_shell});
+  cuts.push_back(plan.facts.r_max);
+  plan.levels = {};
+  for (const float r_max : cuts) {
+    Level level = make_level(plan.facts, r_max, diameters * 2.0 * r_max, columns, most_bits);
+    if (plan.levels.count > 0) {
+      const Level& below = plan.levels.level[plan.levels.count - 1];
+      level.first_id = below.first_id + below.ids;
+    }
+    plan.levels.level[plan.levels.count++] = level;
+  }
+  plan.key_bits = key_bits_of(plan.levels);
+  HostClock clock;
+  complete(finder, scene.view(), plan, clock);
+  return finder.digest();
+}
+
+TEST_F(OnDevice, AnyLevelsAreExact) {
+  for (const char* spec : {"poly:n=3000", "discs:n=3000", "giant:n=2000", "lattice:n=2000",
+                           "cluster:n=3000", "chain:n=600"}) {
+    const Scene scene = generate(spec);
+    const PairDigest truth = digest_of(reference::exact_pairs(scene.spheres));
+    const float r_max = measure(scene.view()).facts.r_max;
+    const std::vector<float> choices[] = {
+        {}, {r_max / 2}, {r_max / 4, r_max / 3}, {r_max / 50, r_max / 9, r_max / 5, r_max / 2}};
+    for (const std::vector<float>& cuts : choices) {
+      for (const double diameters : {1.0, 1.7, 40.0}) {
+        for (const std::uint32_t columns : {1U, 2U, 3U, 8U}) {
+          EXPECT_EQ(found_with_levels(*finder_, scene, cuts, diameters, columns, 28), truth)
+              << spec << ", " << cuts.size() << " cuts, " << diameters << " diameters, " << columns
+              << " columns";
+        }
+      }
+    }
+  }
+}
+
+/// Clouds of spheres at places that share ids when axes wrap, if `apart` is a period; if it is a
+/// little less, the clouds lie across the border of periods.
+Scene clouds_on_a_lattice(float apart) {
+  Scene scene = generate("gas:n=2000");
+  std::uint32_t k = 0;
+  for (Sphere& s : scene.spheres) {
+    s.x = std::fmod(s.x, 2.0F) + apart * static_cast<float>(k % 3);
+    s.y = std::fmod(s.y, 2.0F) + apart * static_cast<float>(k / 3 % 3);
+    s.z = std::fmod(s.z, 2.0F) + apart * static_cast<float>(k / 9 % 3);
+    ++k;
+  }
+  return scene;
+}
+
+TEST_F(OnDevice, FarCellsThatShareIdsLoseNoPair) {
+  for (const float apart : {512.0F, 510.5F}) {
+    const Scene scene = clouds_on_a_lattice(apart);
+    const PairDigest truth = digest_of(reference::exact_pairs(scene.spheres));
+    ASSERT_GT(truth.count, 1000U);
+    for (const std::uint32_t columns : {1U, 2U, 4U}) {
+      EXPECT_EQ(found_with_levels(*finder_, scene, {}, 1.0, columns, 27), truth) << columns;
+      EXPECT_EQ(found_with_levels(*finder_, scene, {}, 1.0, columns, 24), truth) << columns;
+    }
+  }
+}
+
+TEST_F(OnDevice, HalfShellNamesTheStageThatHoldsBounds) {
+  const Outcome outcome =
+      find_completely(*finder_, generate("gas:n=5000").view(), {.method = Method::half_shell});
+  EXPECT_TRUE(outcome.times.stage_ms[index_of(Stage::bounds)]);
+  EXPECT_EQ(outcome.times.fused_into[index_of(Stage::cell_ids)], Stage::bounds);
+}
+
 TEST_F(OnDevice, UpdateAnswersForTheSpheresAsTheyAreNow) {
   Scene scene = generate("dense:n=5000");
   find_completely(*finder_, scene.view(), {});
@@ -188,9 +281,15 @@ TEST_F(OnDevice, UpdateAnswersForTheSpheresAsTheyAreNow) {
   EXPECT_EQ(finder_->digest(), digest_of(reference::exact_pairs(scene.spheres)));
 }
 
-TEST_F(OnDevice, SpheresThatBreakThePlanAreReported) {
+class Violations : public OnDevice, public testing::WithParamInterface<Method> {};
+
+std::string name_of_method(const testing::TestParamInfo<Method>& info) {
+  return std::string(name_of(info.param));
+}
+
+TEST_P(Violations, AreReported) {
   const Scene scene = generate("gas:n=3000");
-  find_completely(*finder_, scene.view(), {});
+  find_completely(*finder_, scene.view(), {.method = GetParam()});
   HostClock clock;
   const auto violation_after = [&](Sphere s) {
     Scene changed = scene;
@@ -208,6 +307,9 @@ TEST_F(OnDevice, SpheresThatBreakThePlanAreReported) {
   EXPECT_NE(violation_after({0, not_a_number, 0, 1}).find("sphere 2000:"), std::string::npos);
   EXPECT_EQ(violation_after(scene.spheres[2000]), "nothing");
 }
+
+INSTANTIATE_TEST_SUITE_P(Methods, Violations,
+                         testing::Values(Method::home_phantom, Method::half_shell), name_of_method);
 
 TEST_F(OnDevice, StageTimesAddUpToTheTotal) {
   const Scene scene = generate("gas:n=50000");

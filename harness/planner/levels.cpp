@@ -7,8 +7,8 @@
 #include <cmath>
 #include <map>
 #include <utility>
+#include <vector>
 
-#include "harness/planner/cell_counter.hpp"
 #include "harness/planner/planner.hpp"
 
 namespace octocell {
@@ -40,19 +40,42 @@ Members members_of(const SceneStats& stats, Octaves octaves) {
   return members;
 }
 
-/// Spheres of the level in a cell around one of them: as if spread evenly, or as the sample says.
-double neighbours_in_cell(const Level& level, const Members& members) {
-  const double evenly = members.count * level.reach / level.ids;
-  if (members.sample.size() < 2) return evenly;
-  CellCounter counter;
-  std::uint64_t pairs = 0;
-  for (const Sphere& s : members.sample) {
-    Cell cell = cell_of(level.grid, s.x, s.y, s.z);
-    cell.x /= level.reach;
-    pairs += counter.count_before(cell_id(level.grid, cell));
+/// Pairs of the sample that share a block of 2^shift cells a side.
+std::uint64_t pairs_in_blocks(const Level& level, const std::vector<Sphere>& sample, int shift) {
+  std::vector<std::uint64_t> blocks;
+  for (const Sphere& s : sample) {
+    const Cell cell = cell_of(level.grid, s.x, s.y, s.z);
+    blocks.push_back(
+        cell_id(level.grid, {(cell.x / level.reach) >> shift, cell.y >> shift, cell.z >> shift}));
   }
+  std::ranges::sort(blocks);
+  std::uint64_t pairs = 0;
+  std::uint64_t alike = 0;
+  for (std::size_t k = 1; k < blocks.size(); ++k) {
+    alike = blocks[k] == blocks[k - 1] ? alike + 1 : 0;
+    pairs += alike;
+  }
+  return pairs;
+}
+
+/// Spheres of the level in a cell around one of them: as if spread evenly, or as the sample says.
+/// That is small, so it is asked for blocks of cells, the smallest in which enough of it meet.
+double neighbours_in_cell(const Level& level, const Members& members) {
+  constexpr std::uint64_t kEnough = 100;
+  const double evenly = members.count / (static_cast<double>(level.ids) / level.reach);
   const auto size = static_cast<double>(members.sample.size());
-  return std::max(evenly, 2.0 * static_cast<double>(pairs) / size * members.count / size);
+  const Grid& grid = level.grid;
+  const std::uint32_t cells[3] = {grid.cell_count[0] / level.reach + 1, grid.cell_count[1],
+                                  grid.cell_count[2]};
+  const std::uint32_t most = std::max({cells[0], cells[1], cells[2]});
+  for (int shift = 0; size > 1 && most >> shift != 0; ++shift) {
+    const std::uint64_t pairs = pairs_in_blocks(level, members.sample, shift);
+    if (pairs < kEnough) continue;
+    double block = 1.0;  // cells
+    for (const std::uint32_t n : cells) block *= std::min<double>(n, std::ldexp(1.0, shift));
+    return std::max(evenly, 2.0 * static_cast<double>(pairs) / size * members.count / size / block);
+  }
+  return evenly;
 }
 
 double cost_within(const Level& level, const Members& members, double in_cell,
@@ -67,13 +90,15 @@ double cost_within(const Level& level, const Members& members, double in_cell,
   const double candidates = in_cell * window_cells * (0.5 + neighbour_rows);
   return members.count * (costs.per_sphere + neighbour_rows * filled * costs.per_window +
                           candidates * costs.per_candidate) +
-         rows_of_cells * filled * costs.per_row;
+         rows_of_cells * filled * costs.per_row +
+         (grid.wraps() ? members.count * costs.per_wrapped : 0.0) +
+         std::min<double>(level.ids, 8.0 * members.count) * costs.per_id;
 }
 
 double cost_of(const Level& level, const Members& members, double in_cell, const Costs& costs) {
   const int key_bits = static_cast<int>(std::bit_width(level.ids - 1));
   return cost_within(level, members, in_cell, costs.shell) +
-         members.count * sort_passes(key_bits, costs.digit_bits) * costs.per_id_and_pass;
+         members.count * sort_passes(key_bits, costs.digit_bits) * costs.shell.per_pass;
 }
 
 /// The part of an axis that a box of that width covers.
@@ -82,10 +107,20 @@ double share_of(const PlanFacts& facts, int axis, double width) {
   return extent > width ? width / extent : 1.0;
 }
 
+/// Each sphere of the finer level against the nine rows around it of the coarser.
+double cost_of_finer(const Level& coarser, const Members& coarse, const Members& fine,
+                     const ShellCosts& costs) {
+  constexpr double kRows = 9.0;
+  const double window_cells = 2.0 + 1.0 / coarser.reach;
+  const double candidates =
+      std::min(coarse.count, neighbours_in_cell(coarser, coarse) * window_cells * kRows);
+  return fine.count * (kRows * costs.per_probe + candidates * costs.per_candidate);
+}
+
 /// Each sphere of the coarse level against the finer: the rows that its box meets, and in them
 /// what its box holds.
-double cost_across(const SceneStats& stats, const Members& coarse, const Level& level,
-                   const Members& fine, const ShellCosts& costs) {
+double cost_of_coarser(const SceneStats& stats, const Members& coarse, const Level& level,
+                       const Members& fine, const ShellCosts& costs) {
   const double width = 2.0 * (coarse.mean_radius() + static_cast<double>(level.r_max));
   double rows = 1.0;
   for (const int a : {1, 2}) {
@@ -95,6 +130,12 @@ double cost_across(const SceneStats& stats, const Members& coarse, const Level& 
   for (int a = 0; a < 3; ++a) share *= share_of(stats.facts, a, width + level.grid.cell_side);
   return coarse.count *
          (std::min(rows, fine.count) * costs.per_probe + fine.count * share * costs.per_candidate);
+}
+
+double cost_across(const SceneStats& stats, const Level& coarser, const Members& coarse,
+                   const Level& finer, const Members& fine, const ShellCosts& costs) {
+  if (costs.finer_probe) return cost_of_finer(coarser, coarse, fine, costs);
+  return cost_of_coarser(stats, coarse, finer, fine, costs);
 }
 
 /// A level, and what its spheres are expected to cost among themselves.
@@ -127,7 +168,7 @@ Choice cut_into_columns(const PlanFacts& facts, double side, int most_bits, cons
   return best;
 }
 
-constexpr int kPatience = 3;  // costs step down where a pass is saved
+constexpr int kPatience = 3;  // doublings: costs step down where a pass is saved
 
 /// The side with the least cost: a diameter, or, where spheres are far apart, more.
 Choice cheapest_level(const SceneStats& stats, Skips allowed, int most_bits, const Members& members,
@@ -135,7 +176,8 @@ Choice cheapest_level(const SceneStats& stats, Skips allowed, int most_bits, con
   double side = 2.0 * static_cast<double>(members.r_max);
   if (side == 0.0) side = std::max(mean_spacing(stats.facts) / 2.0, 0x1p-149);
   Choice best;
-  for (int worse = 0; worse < kPatience; side *= 2.0) {
+  const int sides = costs.shell.sides_per_doubling;
+  for (int worse = 0; worse < kPatience * sides; side *= std::exp2(1.0 / sides)) {
     const PlanFacts facts =
         allowed.has(Skip::layers) ? stats.facts : with_two_layers(stats.facts, side);
     const Choice choice = cut_into_columns(facts, side, most_bits, members, costs);
@@ -205,8 +247,9 @@ class LevelSearch {
       const Known& finer = known(cuts[fine]);
       sum += finer.choice.cost;
       for (std::size_t coarse = fine + 1; coarse < cuts.size(); ++coarse) {
-        sum += cost_across(stats_, known(cuts[coarse]).members, finer.choice.level, finer.members,
-                           costs_.shell);
+        const Known& coarser = known(cuts[coarse]);
+        sum += cost_across(stats_, coarser.choice.level, coarser.members, finer.choice.level,
+                           finer.members, costs_.shell);
       }
     }
     return sum;
@@ -241,7 +284,7 @@ int key_bits_of(const Levels& levels) {
 double estimate_cost(const SceneStats& stats, const Levels& levels, int key_bits,
                      const Costs& costs) {
   double sum = static_cast<double>(stats.facts.sphere_count) *
-               sort_passes(key_bits, costs.digit_bits) * costs.per_id_and_pass;
+               sort_passes(key_bits, costs.digit_bits) * costs.shell.per_pass;
   std::size_t next = 0;
   std::vector<Members> members;
   for (int k = 0; k < levels.count; ++k) {
@@ -253,7 +296,8 @@ double estimate_cost(const SceneStats& stats, const Levels& levels, int key_bits
     const Level& level = levels.level[fine];
     sum += cost_within(level, members[fine], neighbours_in_cell(level, members[fine]), costs.shell);
     for (int coarse = fine + 1; coarse < levels.count; ++coarse) {
-      sum += cost_across(stats, members[coarse], level, members[fine], costs.shell);
+      sum += cost_across(stats, levels.level[coarse], members[coarse], level, members[fine],
+                         costs.shell);
     }
   }
   return sum;

@@ -16,7 +16,12 @@ struct ShellCosts {
   double per_row = 30.0;           // to find a row's neighbours
   double per_window = 2.6;         // of a sphere in a neighbouring row
   double per_candidate = 0.1;      // in a window
-  double per_probe = 20.0;         // of a sphere in a row of a finer level
+  double per_probe = 20.0;         // of a sphere in a row of another level
+  double per_id = 0.0;             // that there may be, with or without a sphere; 8 a sphere count
+  double per_pass = 1.5;           // of a sphere in the sort, by one digit
+  double per_wrapped = 0.0;        // of a sphere in a level with an axis that wraps, besides
+  bool finer_probe = false;        // the finer spheres look for the coarser ones
+  int sides_per_doubling = 1;      // that are tried
   std::uint32_t most_columns = 8;  // into which a cell is cut
 };
 

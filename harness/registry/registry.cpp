@@ -18,9 +18,22 @@ namespace octocell {
 namespace {
 
 /// Fitted to the times of impl_cuda_custom's kernels on an H100 (gas, dense and poly, a million
-/// spheres, cells of 1.5 to 6 radii).
-constexpr Costs kDeviceCosts = {
-    .per_id = 0.042, .per_id_and_pass = 0.018, .per_candidate = 0.0037, .digit_bits = 10};
+/// spheres; home_phantom with cells of 1.5 to 6 radii, half_shell with cells of 1 to 2 diameters).
+constexpr Costs kDeviceCosts = {.per_id = 0.042,
+                                .per_id_and_pass = 0.018,
+                                .per_candidate = 0.0037,
+                                .digit_bits = 10,
+                                .shell = {.per_sphere = 0.09,
+                                          .per_row = 0.0,
+                                          .per_window = 0.004,
+                                          .per_candidate = 0.00075,
+                                          .per_probe = 0.01,
+                                          .per_id = 0.0045,
+                                          .per_pass = 0.006,
+                                          .per_wrapped = 0.05,
+                                          .finer_probe = true,
+                                          .sides_per_doubling = 4,
+                                          .most_columns = 1}};
 
 /// impl_thrust is written to be read: a sphere searches its neighbours' rows by halving steps.
 constexpr Costs kThrustCosts = {.per_id = 46.0,
@@ -34,7 +47,6 @@ constexpr Costs kThrustCosts = {.per_id = 46.0,
                                           .per_probe = 470.0}};
 
 constexpr std::array kAllMethods = {Method::home_phantom, Method::half_shell, Method::brute_force};
-constexpr std::array kTwoMethods = {Method::home_phantom, Method::brute_force};
 
 std::optional<std::string> always_available() { return std::nullopt; }
 
@@ -84,7 +96,7 @@ constexpr std::array kBackends = {
     BackendInfo{.name = "impl_cuda_custom",
                 .kind = Kind::backend,
                 .summary = "uniform grid and radix sort, kernels of our own (CUDA)",
-                .methods = kTwoMethods,
+                .methods = kAllMethods,
                 .threaded = false,
                 .why_unavailable = cuda_custom::why_unavailable,
                 .create = cuda_custom::make_backend,

@@ -142,8 +142,11 @@ Layout layout_of(const Shape& shape, void* scratch) {
           zeroed + words * sizeof(std::uint64_t)};
 }
 
-void launch_histograms(const Shape& shape, const Call& call, const Layout& there) {
+}  // namespace
+
+digit_histograms::Job histograms_of(const Shape& shape, const Call& call) {
   const Variant& v = variant_of(shape.plan, shape.tile);
+  const Layout there = layout_of(shape, call.scratch);
   digit_histograms::Job job = {.keys = call.front.keys,
                                .count = call.count,
                                .capacity = shape.capacity,
@@ -155,10 +158,8 @@ void launch_histograms(const Shape& shape, const Call& call, const Layout& there
                                .words_per_tile = v.owners,
                                .tile_items = v.tile_items};
   std::copy_n(shape.plan.digits.begin(), shape.plan.passes, job.digits);
-  digit_histograms::launch(job, shape.plan.passes, call.stream);
+  return job;
 }
-
-}  // namespace
 
 Shape shape(std::uint32_t capacity, int bits) {
   Shape shape = {.capacity = capacity, .plan = digit_plan(bits)};
@@ -170,11 +171,17 @@ Shape shape(std::uint32_t capacity, int bits) {
 
 std::uint64_t scratch_bytes(const Shape& shape) { return layout_of(shape, nullptr).bytes; }
 
+std::uint64_t zeroed_bytes(const Shape& shape) { return layout_of(shape, nullptr).zeroed; }
+
 void launch(const Shape& shape, const Call& call) {
+  cuda::check(cudaMemsetAsync(call.scratch, 0, zeroed_bytes(shape), call.stream));
+  digit_histograms::launch(histograms_of(shape, call), shape.plan.passes, call.stream);
+  launch_passes(shape, call);
+}
+
+void launch_passes(const Shape& shape, const Call& call) {
   const Variant& v = variant_of(shape.plan, shape.tile);
   const Layout there = layout_of(shape, call.scratch);
-  cuda::check(cudaMemsetAsync(there.starts, 0, there.zeroed, call.stream));
-  launch_histograms(shape, call, there);
   const int last = shape.plan.passes - 1;
   for (int p = 0; p <= last; ++p) {
     const Pass pass = {.from = call.from(p),

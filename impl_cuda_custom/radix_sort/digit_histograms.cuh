@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Onesweep's first kernel: how often each value of each digit occurs, for all passes in one reading
 // of the keys (no pass changes it), and from that where the first key with each value goes. Resets
-// the look-back words on the way.
+// the look-back words on the way. Its parts serve kernels that make keys, too: open(), count_key()
+// for each key while it is still in a register, close().
 #pragma once
 
 #include <algorithm>
@@ -51,6 +52,16 @@ __device__ inline void reset_look_back(const Job& job, std::uint32_t count) {
   }
 }
 
+template <int kPasses>
+__device__ void count_key(const Job& job, std::uint32_t key, std::uint32_t* counts) {
+#pragma unroll
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const Digit digit = job.digits[pass];
+    const std::uint32_t value = key >> digit.shift & ((1u << digit.width) - 1);
+    atomicAdd(&counts[pass * job.bins + value], 1u);
+  }
+}
+
 /// The keys from `first` on. Without a question after each key in a whole step, whose loads and
 /// counts then overlap.
 template <int kPasses, bool kWhole>
@@ -65,12 +76,7 @@ __device__ void count_step(const Job& job, std::uint32_t first, std::uint32_t co
 #pragma unroll
   for (int item = 0; item < kItems; ++item) {
     if (!kWhole && first + item * kThreads + threadIdx.x >= count) break;
-#pragma unroll
-    for (int pass = 0; pass < kPasses; ++pass) {
-      const Digit digit = job.digits[pass];
-      const std::uint32_t value = keys[item] >> digit.shift & ((1u << digit.width) - 1);
-      atomicAdd(&counts[pass * job.bins + value], 1u);
-    }
+    count_key<kPasses>(job, keys[item], counts);
   }
 }
 
@@ -96,43 +102,66 @@ __device__ inline bool is_last_block(std::uint32_t* blocks_done) {
   return last;
 }
 
-/// Counts of one pass become starts. A thread has two neighbouring bins.
-__device__ inline void sum_bins(std::uint32_t* bins, int size) {
-  __shared__ std::uint32_t warp_sums[kThreads / kWarpThreads];
+/// Counts of each pass become starts. A thread has two neighbouring bins of each, and loads all
+/// before it sums up the first.
+template <int kPasses>
+__device__ void sum_bins(std::uint32_t* bins, int size) {
+  __shared__ std::uint32_t warp_sums[kPasses][kThreads / kWarpThreads];
   const int bin = 2 * static_cast<int>(threadIdx.x);
-  const std::uint32_t even = bin < size ? __ldcg(&bins[bin]) : 0;
-  const std::uint32_t odd = bin < size ? __ldcg(&bins[bin + 1]) : 0;
-  const std::uint32_t before = block_sums<kThreads>(even + odd, warp_sums).before;
-  if (bin < size) {
-    bins[bin] = before;
-    bins[bin + 1] = before + even;
+  uint2 counts[kPasses];
+#pragma unroll
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const auto* const mine = reinterpret_cast<const uint2*>(bins + pass * size + bin);
+    counts[pass] = bin < size ? __ldcg(mine) : uint2{0, 0};
   }
-  __syncthreads();  // warp_sums are used again
+#pragma unroll
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const uint2 mine = counts[pass];
+    const std::uint32_t before = block_sums<kThreads>(mine.x + mine.y, warp_sums[pass]).before;
+    if (bin < size) *reinterpret_cast<uint2*>(bins + pass * size + bin) = {before, before + mine.x};
+  }
+}
+
+/// Clears the block's counts ([kPasses][job.bins], shared by its kThreads threads), and its part of
+/// the look-back words. `count`: of keys to come.
+template <int kPasses>
+__device__ void open(const Job& job, std::uint32_t count, std::uint32_t* counts) {
+  for (int i = threadIdx.x; i < kPasses * job.bins; i += kThreads) counts[i] = 0;
+  __syncthreads();
+  reset_look_back(job, count);
+}
+
+/// The block's counts join those of all. True in the block that ends last, which made starts of
+/// them and sees what all other blocks have written.
+template <int kPasses>
+__device__ bool close(const Job& job, const std::uint32_t* counts) {
+  __syncthreads();
+  for (int i = threadIdx.x; i < kPasses * job.bins; i += kThreads) {
+    if (counts[i] != 0) atomicAdd(&job.starts[i], counts[i]);
+  }
+  if (!is_last_block(job.blocks_done)) return false;
+  sum_bins<kPasses>(job.starts, job.bins);
+  return true;
 }
 
 template <int kPasses>
 __global__ void __launch_bounds__(kThreads, kBlocksAtOnce) histograms_kernel(Job job) {
-  extern __shared__ std::uint32_t counts[];  // [kPasses][job.bins]
+  extern __shared__ std::uint32_t counts[];
   const std::uint32_t count = pairs_to_sort(job.count, job.capacity);
-  const int all_bins = kPasses * job.bins;
-  for (int i = threadIdx.x; i < all_bins; i += kThreads) counts[i] = 0;
-  __syncthreads();
-  reset_look_back(job, count);
+  open<kPasses>(job, count, counts);
   count_digits<kPasses>(job, count, counts);
-  __syncthreads();
-  for (int i = threadIdx.x; i < all_bins; i += kThreads) {
-    if (counts[i] != 0) atomicAdd(&job.starts[i], counts[i]);
-  }
-  if (!is_last_block(job.blocks_done)) return;
-  for (int pass = 0; pass < kPasses; ++pass) sum_bins(job.starts + pass * job.bins, job.bins);
+  close<kPasses>(job, counts);
+}
+
+inline std::size_t shared_bytes(const Job& job, int passes) {
+  return sizeof(std::uint32_t) * static_cast<std::size_t>(passes * job.bins);
 }
 
 inline void launch(const Job& job, int passes, cudaStream_t stream) {
   constexpr void (*kByPasses[])(Job) = {histograms_kernel<1>, histograms_kernel<2>,
                                         histograms_kernel<3>, histograms_kernel<4>};
   const std::uint32_t blocks = std::min(parts_of(job.capacity, kStep), kMostBlocks);
-  const std::size_t shared = sizeof(std::uint32_t) * static_cast<std::size_t>(passes * job.bins);
-  kByPasses[passes - 1]<<<blocks, kThreads, shared, stream>>>(job);
+  kByPasses[passes - 1]<<<blocks, kThreads, shared_bytes(job, passes), stream>>>(job);
   cuda::check(cudaGetLastError());
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "harness/interface/error.hpp"
+#include "impl_cuda_custom/radix_sort/digit_histograms.cuh"
 #include "impl_cuda_custom/radix_sort/rungs.cuh"
 
 namespace octocell::cuda_custom {
@@ -54,6 +55,19 @@ void RadixSort::launch(KeysAndValues front, KeysAndValues back, const std::uint6
                        void* scratch, cudaStream_t stream) const {
   if (capacity_ == 0 || plan_.passes == 0) return;
   code_of(rung_).launch({capacity_, plan_, tile_}, {front, back, count, scratch, stream});
+}
+
+std::uint64_t RadixSort::zeroed_words() const {
+  return onesweep::zeroed_bytes({capacity_, plan_, tile_}) / sizeof(std::uint32_t);
+}
+
+digit_histograms::Job RadixSort::histograms(const std::uint64_t* count, void* scratch) const {
+  return onesweep::histograms_of({capacity_, plan_, tile_}, {{}, {}, count, scratch, nullptr});
+}
+
+void RadixSort::launch_passes(KeysAndValues front, KeysAndValues back, const std::uint64_t* count,
+                              void* scratch, cudaStream_t stream) const {
+  onesweep::launch_passes({capacity_, plan_, tile_}, {front, back, count, scratch, stream});
 }
 
 }  // namespace octocell::cuda_custom

@@ -11,6 +11,10 @@
 
 namespace octocell::cuda_custom {
 
+namespace digit_histograms {
+struct Job;
+}
+
 enum class Rung : std::uint8_t { one_bit_split, digit_passes, reduce_then_scan, onesweep };
 
 /// Two device arrays that are sorted together: one of the two sides between which pairs go to and
@@ -45,6 +49,15 @@ class RadixSort {
   /// allocates. `front` holds the input; all memory of both sides is overwritten.
   void launch(KeysAndValues front, KeysAndValues back, const std::uint64_t* count, void* scratch,
               cudaStream_t stream) const;
+
+  /// launch() in parts, for a kernel that makes the keys and counts their digits while it has them
+  /// (digit_histograms.cuh): the first words of `scratch` are zero, that kernel runs, then come the
+  /// passes. Rung onesweep, and keys of one bit or more.
+  [[nodiscard]] int passes() const { return plan_.passes; }
+  [[nodiscard]] std::uint64_t zeroed_words() const;
+  [[nodiscard]] digit_histograms::Job histograms(const std::uint64_t* count, void* scratch) const;
+  void launch_passes(KeysAndValues front, KeysAndValues back, const std::uint64_t* count,
+                     void* scratch, cudaStream_t stream) const;
 
  private:
   Rung rung_;

@@ -47,6 +47,10 @@ namespace onesweep {
 Shape shape(std::uint32_t capacity, int bits);
 std::uint64_t scratch_bytes(const Shape& shape);
 void launch(const Shape& shape, const Call& call);
+// launch() in parts: scratch's first bytes are cleared, digits are counted, the passes follow.
+std::uint64_t zeroed_bytes(const Shape& shape);
+digit_histograms::Job histograms_of(const Shape& shape, const Call& call);
+void launch_passes(const Shape& shape, const Call& call);
 }  // namespace onesweep
 
 }  // namespace octocell::cuda_custom

@@ -56,6 +56,15 @@ void try_reader(const char* reader, const std::string& path, Load load) {
   }
 }
 
+std::vector<Sphere> csv(InputFile& file) {
+  Scene scene;
+  load_csv(file, scene);
+  if (!scene.flags.empty() && scene.flags.size() != scene.spheres.size()) {
+    fail("csv", "flags of some spheres only");
+  }
+  return scene.spheres;
+}
+
 std::vector<Sphere> npy(InputFile& file, bool round_input) {
   Scene scene;
   load_npy(file, {.round_input = round_input}, scene);
@@ -69,7 +78,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace octocell;
   const fuzz::MemoryFile file(data, size);
   const std::string path = file.path();
-  fuzz::try_reader("csv", path, load_csv);
+  fuzz::try_reader("csv", path, fuzz::csv);
   fuzz::try_reader("pqr", path, load_pqr);
   fuzz::try_reader("npy", path, [](InputFile& in) { return fuzz::npy(in, false); });
   fuzz::try_reader("npy, rounding", path, [](InputFile& in) { return fuzz::npy(in, true); });

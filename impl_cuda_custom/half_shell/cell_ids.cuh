@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Stage 2 of half_shell: one id a sphere, and three things besides while it is in registers. Each
+// sphere is held against the plan's facts (stage 1); the digits of its id are counted (stage 3).
+#pragma once
+
+#include <algorithm>
+
+#include "impl_cuda_custom/radix_sort/digit_histograms.cuh"
+#include "impl_cuda_custom/sphere_facts.cuh"
+
+namespace octocell::cuda_custom::half_shell {
+
+struct IdsJob {
+  const Sphere* spheres;
+  std::uint32_t sphere_count;
+  PlanFacts facts;
+  Levels levels;
+  std::uint32_t* cell_ids;
+  Object* objects;
+  State* state;
+  digit_histograms::Job digits;
+
+  [[nodiscard]] __device__ std::uint32_t id_of(const Sphere& s) const {
+    const Level& level = levels.level[level_of(levels, s.r)];
+    return level.first_id + cell_id(level.grid, cell_of(level.grid, s.x, s.y, s.z));
+  }
+};
+
+constexpr int kIdsThreads = digit_histograms::kThreads;
+constexpr int kSpheresAtOnce = 2;          // loads of a thread under way
+constexpr std::uint32_t kIdsBlocks = 264;  // fills the chip; each adds its counts to those of all
+
+/// Returns the violations met.
+template <int kPasses>
+__device__ std::uint32_t put_ids(const IdsJob& job, std::uint32_t* counts) {
+  const std::uint32_t stride = gridDim.x * kIdsThreads;
+  std::uint32_t violations = 0;
+  for (std::uint32_t first = blockIdx.x * kIdsThreads + threadIdx.x; first < job.sphere_count;
+       first += kSpheresAtOnce * stride) {
+    Sphere spheres[kSpheresAtOnce];
+#pragma unroll
+    for (int k = 0; k < kSpheresAtOnce; ++k) {
+      const std::uint32_t i = first + k * stride;
+      if (i < job.sphere_count) spheres[k] = load_sphere(job.spheres, i);
+    }
+#pragma unroll
+    for (int k = 0; k < kSpheresAtOnce; ++k) {
+      const std::uint32_t i = first + k * stride;
+      if (i >= job.sphere_count) break;
+      violations |= violation_of(spheres[k], job.facts);
+      const std::uint32_t id = job.id_of(spheres[k]);
+      job.cell_ids[i] = id;
+      job.objects[i] = i;
+      digit_histograms::count_key<kPasses>(job.digits, id, counts);
+    }
+  }
+  return violations;
+}
+
+template <int kPasses>
+__global__ void __launch_bounds__(kIdsThreads, 2) ids_kernel(const __grid_constant__ IdsJob job) {
+  extern __shared__ std::uint32_t counts[];
+  digit_histograms::open<kPasses>(job.digits, job.sphere_count, counts);
+  const std::uint32_t violations = put_ids<kPasses>(job, counts);
+  if (violations != 0) atomicOr(&job.state->violations, violations);
+  if (!digit_histograms::close<kPasses>(job.digits, counts) || threadIdx.x != 0) return;
+  if (atomicOr(&job.state->violations, 0U) == 0) job.state->entries = job.sphere_count;
+}
+
+inline void cell_ids(Workspace& w) {
+  if (!w.half_shell()) return;
+  State* const state = w.state.data();
+  const IdsJob job = {.spheres = w.spheres.data(),
+                      .sphere_count = static_cast<std::uint32_t>(w.sphere_count()),
+                      .facts = w.plan.facts,
+                      .levels = w.plan.levels,
+                      .cell_ids = w.side(0).keys,
+                      .objects = w.side(0).values,
+                      .state = state,
+                      .digits = w.sorter->histograms(&state->ids, w.sort_scratch.data())};
+  constexpr void (*kByPasses[])(IdsJob) = {ids_kernel<1>, ids_kernel<2>, ids_kernel<3>,
+                                           ids_kernel<4>};
+  const int passes = w.sorter->passes();
+  const std::uint32_t blocks = std::min(parts_of(job.sphere_count, kIdsThreads), kIdsBlocks);
+  const std::size_t shared = digit_histograms::shared_bytes(job.digits, passes);
+  kByPasses[passes - 1]<<<blocks, kIdsThreads, shared, w.stream>>>(job);
+  cuda::check_launch();
+}
+
+}  // namespace octocell::cuda_custom::half_shell

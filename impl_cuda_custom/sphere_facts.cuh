@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "impl_cuda_custom/device.cuh"
+
+namespace octocell::cuda_custom {
+
+/// Bits of State::violations: a sphere against what the plan takes for granted.
+__device__ inline std::uint32_t violation_of(const Sphere& s, const PlanFacts& facts) {
+  const bool finite = isfinite(s.x) && isfinite(s.y) && isfinite(s.z) && isfinite(s.r);
+  if (!finite || s.r < 0.0F) return kInvalidSphere;
+  bool inside = s.r <= facts.r_max && (s.r == 0.0F || s.r >= facts.r_min_nonzero);
+  inside = inside && s.x >= facts.lowest[0] && s.x <= facts.highest[0];
+  inside = inside && s.y >= facts.lowest[1] && s.y <= facts.highest[1];
+  inside = inside && s.z >= facts.lowest[2] && s.z <= facts.highest[2];
+  return inside ? 0 : kOutsidePlan;
+}
+
+}  // namespace octocell::cuda_custom
