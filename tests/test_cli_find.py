@@ -15,7 +15,7 @@ from hard_scenes import SCENES, Spheres
 
 BACKEND_STAGES = ["bounds", "cell_ids", "sort", "cell_index", "pair_tests", "resolve"]
 KEYS = (
-    "scene n backend method planned rule threads pairs checksum candidates doubts runs "
+    "scene n static backend method planned rule threads pairs checksum candidates doubts runs "
     "plan_ms total_ms stage_ms"
 ).split()
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -124,7 +125,7 @@ def test_explain_says_that_nothing_is_searched(octocell: Octocell) -> None:
     assert "search: none" not in octocell.ok("find", "gas:n=300,static=0.9", "--explain").stderr
 
 
-BAD_FLAGS: dict[str, tuple[object, list[str]]] = {
+BAD_FLAGS: dict[str, tuple[NDArray[Any], list[str]]] = {
     "too_short": (np.zeros(8, np.uint32), ["flags of 8 spheres", "has 9"]),
     "too_long": (np.zeros(10, bool), ["flags of 10 spheres", "has 9"]),
     "table": (np.zeros((9, 1), np.uint32), ["(9, 1)", "(n,)"]),

@@ -281,6 +281,24 @@ TEST_F(OnDevice, UpdateAnswersForTheSpheresAsTheyAreNow) {
   EXPECT_EQ(finder_->digest(), digest_of(reference::exact_pairs(scene.spheres)));
 }
 
+TEST_F(OnDevice, AReplayedGraphGoesByTheFlagsOfTheLastUpdate) {
+  const Scene scene = generate("dense:n=5000,static=0.5,groups=3");
+  const Scene other = generate("dense:n=5000,static=0.9");
+  find_completely(*finder_, {scene.spheres}, {.method = Method::half_shell});
+  DeviceRuns& runs = *finder_->device_runs();
+  HostClock clock;
+  for (const std::vector<Flags>& flags : {scene.flags, other.flags, {}, scene.flags}) {
+    finder_->update({scene.spheres, flags});
+    const PairDigest truth = digest_of(reference::exact_pairs(scene.spheres, flags));
+    finder_->find_pairs(clock);
+    EXPECT_EQ(finder_->digest(), truth);
+    runs.replay_ms();
+    EXPECT_EQ(finder_->digest(), truth);
+    runs.transfers_ms();
+    EXPECT_EQ(finder_->digest(), truth);
+  }
+}
+
 class Violations : public OnDevice, public testing::WithParamInterface<Method> {};
 
 std::string name_of_method(const testing::TestParamInfo<Method>& info) {
