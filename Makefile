@@ -17,7 +17,7 @@ export OCTOCELL_CUDA
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build test compilers fuzz stress stress-full bench bench-full bench-sort report readme sanitize cuda-toolkit bundle clean
+.PHONY: help setup build test compilers fuzz stress stress-full bench bench-full bench-sort ablation report readme sanitize cuda-toolkit bundle clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -67,6 +67,10 @@ bench-full: build ## The same at every size (about an hour)
 bench-sort: build ## Time our radix sort beside the sorts of libraries (a minute), draw the plots
 	@$(BUILD)/octocell bench-sort -o reports/out/sort.json
 	@$(PYTHON) -m octocell_report sort reports/out/sort.json -o reports/out
+
+ablation: build ## Time the plan with and without each skip, and all that can be forced (minutes), draw the plots
+	@$(BUILD)/octocell bench --preset ablation -o reports/out/ablation.json
+	@$(PYTHON) -m octocell_report ablation reports/out/ablation.json -o reports/out
 
 report: setup ## Draw plots and the page again from RESULT (default reports/out/bench.json)
 	@$(PYTHON) -m octocell_report build $(RESULT) -o reports/out

@@ -19,6 +19,8 @@ class Verdict:
     exhibits: int  # rows kept because their rule is wrong; right or wrong, they do not count
     unavailable: list[str]  # real scenes that could not be fetched
     finished: bool
+    variants: int  # planned rows with skips forbidden that ran: asked to be exact, not default
+    wrong_variants: list[Row]
 
     @property
     def checked(self) -> int:
@@ -26,8 +28,8 @@ class Verdict:
 
     @property
     def passes(self) -> bool:
-        """Every default row that ran is exact, and at least one ran."""
-        return not self.wrong and self.exact > 0
+        """Every default row and every variant that ran is exact, and at least one default did."""
+        return not self.wrong and not self.wrong_variants and self.exact > 0
 
 
 def judge(result: Result) -> Verdict:
@@ -40,11 +42,22 @@ def judge(result: Result) -> Verdict:
         exhibits=sum(row.exhibit and row.status != "skipped" for row in result.rows),
         unavailable=[g.scene for g in result.groups if g.unavailable is not None],
         finished=bool(result.context["finished"]),
+        variants=sum(row.status != "skipped" for row in result.variants),
+        wrong_variants=[row for row in result.variants if row.status == "wrong"],
     )
 
 
 def headline(verdict: Verdict, language: str = "en") -> str:
-    """One sentence; 'default' rows are those that ran and are no exhibits."""
+    """A sentence, two with wrong variants; 'default' rows ran, are no exhibits and no variants."""
+    text = _of_default_rows(verdict, language)
+    if not verdict.wrong_variants:
+        return text
+    key = "headline_variants_one" if len(verdict.wrong_variants) == 1 else "headline_variants"
+    counts = {"wrong": len(verdict.wrong_variants), "variants": verdict.variants}
+    return text + tell(language, "space") + tell(language, key, **counts)
+
+
+def _of_default_rows(verdict: Verdict, language: str) -> str:
     counts = {"wrong": len(verdict.wrong), "checked": verdict.checked}
     if verdict.checked == 0:
         return tell(language, "headline_none")
@@ -57,6 +70,8 @@ def headline(verdict: Verdict, language: str = "en") -> str:
 def summary(verdict: Verdict) -> str:
     """The headline and what it does not count, in one line."""
     parts = [headline(verdict), f"{verdict.skipped} skipped, {verdict.exhibits} exhibits."]
+    if verdict.variants:
+        parts.append(f"Beside them {verdict.variants} variants with skips forbidden ran.")
     if verdict.excused:
         parts.append(f"{len(verdict.excused)} miss pairs by known faults of their libraries.")
     if verdict.unavailable:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from octocell_report import __version__
 from octocell_report.fields import ReportError
-from octocell_report.load import load
+from octocell_report.load import Result, load
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -34,6 +34,12 @@ def _parser() -> argparse.ArgumentParser:
     build = commands.add_parser("build", help="write plots, tables and a page")
     build.add_argument("result", type=Path, metavar="RESULT.json")
     build.add_argument("-o", "--output", type=Path, default=Path("reports/out"), metavar="FOLDER")
+    build.add_argument(
+        "--ablation",
+        type=Path,
+        metavar="ABLATION.json",
+        help="result of the preset ablation (default: FOLDER/ablation.json, if it is there)",
+    )
     build.set_defaults(command=_build)
 
     check = commands.add_parser("check", help="exit 1 if a row is wrong that is no exhibit")
@@ -63,6 +69,13 @@ def _parser() -> argparse.ArgumentParser:
     sort.add_argument("result", type=Path, metavar="SORT.json")
     sort.add_argument("-o", "--output", type=Path, default=Path("reports/out"), metavar="FOLDER")
     sort.set_defaults(command=_sort)
+
+    ablation = commands.add_parser("ablation", help="plots and tables from the preset ablation")
+    ablation.add_argument("result", type=Path, metavar="ABLATION.json")
+    ablation.add_argument(
+        "-o", "--output", type=Path, default=Path("reports/out"), metavar="FOLDER"
+    )
+    ablation.set_defaults(command=_ablation)
     return parser
 
 
@@ -79,18 +92,37 @@ def _share(text: str) -> float:
 def _build(options: argparse.Namespace) -> int:
     from octocell_report import page  # Matplotlib is slow to load; only plots need it
 
-    names = page.build(load(options.result), options.output)
+    result = load(options.result)
+    ablation = _ablation_of(options) or (result if result.variants else None)
+    names = page.build(result, options.output, ablation)
     print(
         f"{options.output / 'index.html'}: written, with {len(names) - 1} plots and tables beside"
     )
     return 0
 
 
+def _ablation_of(options: argparse.Namespace) -> Result | None:
+    """The one that was named, or else lies in the folder; None without."""
+    path: Path = options.ablation or options.output / "ablation.json"
+    return _loaded_ablation(path) if options.ablation or path.is_file() else None
+
+
+def _loaded_ablation(path: Path) -> Result:
+    from octocell_report.ablation import require
+
+    result = load(path)
+    try:
+        require(result)
+    except ReportError as error:
+        raise ReportError(f"{path}: {error}") from error
+    return result
+
+
 def _check(options: argparse.Namespace) -> int:
     from octocell_report.check import complaint, judge, summary
 
     verdict = judge(load(options.result))
-    for row in verdict.wrong:
+    for row in [*verdict.wrong, *verdict.wrong_variants]:
         print(complaint(row))
     print(summary(verdict))
     return 0 if verdict.passes else 1
@@ -120,5 +152,17 @@ def _sort(options: argparse.Namespace) -> int:
     from octocell_report import sort, sort_figures  # as for _build
 
     names = sort_figures.build(sort.load(options.result), options.output)
+    print(f"{options.output}: written: {', '.join(names)}")
+    return 0
+
+
+def _ablation(options: argparse.Namespace) -> int:
+    from octocell_report import ablation_files, check  # as for _build
+
+    result = _loaded_ablation(options.result)
+    names = ablation_files.build(result, options.output)
+    verdict = check.judge(result)
+    for row in [*verdict.wrong, *verdict.wrong_variants]:
+        print(check.complaint(row))
     print(f"{options.output}: written: {', '.join(names)}")
     return 0

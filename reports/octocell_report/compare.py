@@ -16,16 +16,10 @@ from dataclasses import dataclass
 from statistics import median
 
 import numpy as np
-from numpy.typing import NDArray
 
 from octocell_report import words
 from octocell_report.load import Result, Row
-
-Times = NDArray[np.float64]
-
-LEAST_ROUNDS = 3
-_DRAWS = 2000
-_SHARE = 99  # per cent of the ratios that the interval holds
+from octocell_report.spread import LEAST_ROUNDS, SHARE, TAILS, drawn_medians
 
 
 @dataclass(frozen=True)
@@ -101,18 +95,11 @@ def _change(old: Row, new: Row, threshold: float) -> Change:
 def interval(old: Iterable[float], new: Iterable[float]) -> tuple[float, float]:
     """Of new median / old median; the same for the same times, as its random numbers are fixed."""
     random = np.random.default_rng(1)
-    below, above = (_drawn_medians(np.asarray(list(times)), random) for times in (old, new))
-    tail = (100 - _SHARE) / 2
+    below, above = (drawn_medians(np.asarray(list(times)), random) for times in (old, new))
     # A round of no time at all may be drawn; the ratio is then beyond all bounds, as it should be.
     with np.errstate(divide="ignore", invalid="ignore"):
-        low, high = np.nanpercentile(above / below, [tail, 100 - tail], method="inverted_cdf")
+        low, high = np.nanpercentile(above / below, TAILS, method="inverted_cdf")
     return float(low), float(high)
-
-
-def _drawn_medians(times: Times, random: np.random.Generator) -> Times:
-    drawn = random.integers(0, len(times), size=(_DRAWS, len(times)))
-    medians: Times = np.median(times[drawn], axis=1)
-    return medians
 
 
 _DIFFER = {
@@ -153,7 +140,7 @@ def report(old: Result, new: Result, threshold: float) -> tuple[list[str], bool]
     lines = [f"warning: {text}" for text in warnings(old, new)]
     lines += [
         f"old {_origin(old)}, new {_origin(new)}; ratio: new median / old median",
-        f"slower: the {_SHARE} % interval (bootstrap over rounds) lies above {1 + threshold:.3g}; "
+        f"slower: the {SHARE} % interval (bootstrap over rounds) lies above {1 + threshold:.3g}; "
         f"faster: below {1 / (1 + threshold):.3g}; "
         f"rows with fewer than {LEAST_ROUNDS} rounds are not judged",
     ]

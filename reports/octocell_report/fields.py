@@ -43,6 +43,11 @@ def or_null(check: Check) -> Check:
 is_object: Check = ("an object", lambda v: isinstance(v, dict))
 is_list: Check = ("a list", lambda v: isinstance(v, list))
 is_text: Check = ("text", lambda v: isinstance(v, str))
+is_filled: Check = ("text, not empty", lambda v: isinstance(v, str) and v != "")
+is_texts: Check = (
+    "a list of texts",
+    lambda v: isinstance(v, list) and all(isinstance(t, str) for t in v),
+)
 is_bool: Check = ("true or false", lambda v: isinstance(v, bool))
 is_whole: Check = ("a whole number, 0 or more", whole)
 is_number: Check = ("a number, 0 or more", number)

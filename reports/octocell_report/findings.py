@@ -209,6 +209,9 @@ def correctness(result: Result, language: str = "en") -> list[str]:
     for row in [*verdict.wrong, *verdict.excused]:
         where = f"{words.place(row.place)} ({words.losses(row)})"
         places.setdefault(labels[row.impl], {})[where] = None
+    for row in verdict.wrong_variants:
+        where = f"{words.place(row.place)} ({words.losses(row)})"
+        places.setdefault(words.variant(row), {})[where] = None
     return [check.headline(verdict, language)] + [
         tell(language, "wrong_on", name=label, places=listed(list(where), language))
         for label, where in places.items()

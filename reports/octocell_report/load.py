@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from statistics import median
 from typing import Any, NamedTuple
@@ -31,6 +31,7 @@ from octocell_report.fields import (
     or_null,
 )
 from octocell_report.motion import Motion, motion_of
+from octocell_report.plan import Plan, plan_of, variant_of
 
 SCHEMA = 1
 DEVICE_RUNS = ("rotated", "graph", "transfers")  # of backends on a device, beside cold and warm
@@ -103,6 +104,8 @@ class Row:
     output_bytes: int | None
     motion: Motion | None  # of dynamic rows only, and not of all
     known_faults: str  # why its library can lose pairs however it is driven; empty if it cannot
+    skips: str | None  # which variant of the planned row it is; None for rows as users have them
+    plan: Plan | None  # what it came to; of our rows that ran, and not of all
 
     @property
     def round_ms(self) -> tuple[float, ...]:
@@ -130,9 +133,10 @@ class Row:
 class Result:
     context: Json
     groups: list[Group]
-    rows: list[Row]
+    rows: list[Row]  # as users have them
     absent: dict[str, str]  # backends that could not run at all, and why; they have no rows here
     gpu: Gpu | None = None  # that the device rows ran on
+    variants: list[Row] = field(default_factory=list)  # planned rows with skips forbidden
 
     @property
     def impls(self) -> list[Impl]:
@@ -204,7 +208,9 @@ def parse(document: Any) -> Result:
     _check_together(groups, rows)
     absent = _absent(rows)
     present = [row for row in rows if row.impl.backend not in absent]
-    return Result(context, groups, present, absent, gpu_of(context))
+    default = [row for row in present if row.skips is None]
+    variants = [row for row in present if row.skips is not None]
+    return Result(context, groups, default, absent, gpu_of(context), variants)
 
 
 def _absent(rows: list[Row]) -> dict[str, str]:
@@ -291,12 +297,13 @@ def _row(item: Any, index: int) -> Row:
         status=status,
         reason=fields.take("reason", is_text if status == "skipped" else or_null(is_text)),
         known_faults=fields.optional("known_faults", or_null(is_text)) or "",
+        skips=variant_of(fields, impl.method),
         **(_unmeasured() if status == "skipped" else _measured(fields)),
     )
 
 
 def _unmeasured() -> Json:
-    nothing: Json = dict.fromkeys([*_MEASURED, *_OPTIONAL, "motion"])
+    nothing: Json = dict.fromkeys([*_MEASURED, *_OPTIONAL, "motion", "plan"])
     return nothing | {"total_ms": (), "stage_ms": {}, "stage_bytes": {}, "fused": {}}
 
 
@@ -307,7 +314,7 @@ def _measured(fields: Fields) -> Json:
     if not found["total_ms"]:
         raise ReportError(f"{fields.title}: field 'total_ms' has no round")
     found["total_ms"] = tuple(found["total_ms"])
-    found["motion"] = motion_of(fields)
+    found["motion"], found["plan"] = motion_of(fields), plan_of(fields)
     known = sorted(found["stage_ms"].items(), key=lambda item: _rank(item[0]))
     found["stage_ms"] = {stage: tuple(ms) for stage, ms in known if ms}
     return found

@@ -3,24 +3,25 @@
 
 from __future__ import annotations
 
-import base64
-import io
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
-from matplotlib.figure import Figure
-from PIL import Image
 
 from octocell_report import (
+    ablation_files,
     check,
     findings,
+    findings_ablation,
     findings_gpu,
     frames,
+    images,
     language,
+    page_ablation,
     page_tables,
     plots,
-    style,
     words,
 )
 from octocell_report.files import staged_folder
@@ -54,34 +55,30 @@ class Section:
 
 def owned_names() -> set[str]:
     """Every file that a build may write."""
-    images = {f"{name}.{ending}" for name in plots.NAMES for ending in ("png", "svg")}
-    return {"index.html"} | images | {f"{name}.csv" for name in frames.NAMES}
+    drawn = {f"{name}.{ending}" for name in plots.NAMES for ending in images.ENDINGS}
+    return {"index.html"} | drawn | {f"{name}.csv" for name in frames.NAMES}
 
 
-def build(result: Result, folder: Path) -> list[str]:
-    """Writes plots, tables and index.html; returns the names written. All or nothing."""
-    with staged_folder(folder, owned_names()) as staging:
-        for name, figure in plots.draw_all(result):
-            _save(figure, staging / f"{name}.png")
-            # No date and no random ids in it: the same result gives the same file.
-            figure.savefig(staging / f"{name}.svg", metadata={"Date": None})
+def build(result: Result, folder: Path, ablation: Result | None = None) -> list[str]:
+    """Writes plots, tables and index.html; returns the names written. All or nothing.
+
+    Without an ablation its files, which another command may have written there, are left alone.
+    """
+    owned = owned_names() | (ablation_files.owned_names() if ablation else set())
+    with staged_folder(folder, owned) as staging:
+        images.write(plots.draw_all(result), staging)
+        if ablation:
+            ablation_files.write(ablation, staging)
         for name, frame in frames.all_frames(result).items():
             if not frame.empty:
                 frame.convert_dtypes().to_csv(staging / f"{name}.csv", index=False)
-        (staging / "index.html").write_text(render(result, staging), encoding="utf-8")
+        html = render(result, staging, ablation)
+        (staging / "index.html").write_text(html, encoding="utf-8")
         return sorted(path.name for path in staging.iterdir())
 
 
-def _save(figure: Figure, path: Path) -> None:
-    """With 256 colours: a third of the size, and no difference to the eye in a plot."""
-    buffer = io.BytesIO()
-    figure.savefig(buffer, dpi=style.DPI)
-    with Image.open(buffer) as image:
-        image.convert("RGB").quantize(256).save(path, optimize=True)
-
-
-def render(result: Result, images: Path) -> str:
-    """The page, with those plots that lie in `images`."""
+def render(result: Result, folder: Path, ablation: Result | None = None) -> str:
+    """The page, with those plots that lie in the folder."""
     environment = Environment(
         loader=PackageLoader("octocell_report", "."),
         autoescape=True,
@@ -98,13 +95,14 @@ def render(result: Result, images: Path) -> str:
         headline=both(lambda spoken: check.headline(verdict, spoken)),
         overview=all_of(lambda spoken: findings.overview(result, spoken)),
         memory_gb=f"{result.context['machine']['memory_bytes'] / 1e9:.1f}",
-        sections=sections(result, images),
+        sections=sections(result, folder) + _ablation_sections(ablation, folder),
         times=page_tables.times(result),
         speedups=page_tables.speedups(result),
         gpu=page_tables.gpu(result),
         gpu_seen=all_of(lambda spoken: findings_gpu.runs(result, spoken)),
         device=_device(result),
         frames=page_tables.frames(result),
+        regret=page_ablation.regret(ablation),
         skipped=page_tables.skipped(result),
         unavailable=page_tables.unavailable(result),
     )
@@ -118,16 +116,34 @@ def _device(result: Result) -> Said | None:
     return say("gpu_text", name=result.gpu.name, copied=copied)
 
 
-def sections(result: Result, images: Path) -> list[Section]:
+def sections(result: Result, folder: Path) -> list[Section]:
+    return _sections(folder, _ORDER, lambda name, spoken: _sentences(result, name, spoken))
+
+
+def _ablation_sections(ablation: Result | None, folder: Path) -> list[Section]:
+    """After the others; the first says where its rows come from, which is another file."""
+    if ablation is None:
+        return []
+
+    def told(name: str, spoken: str) -> list[str]:
+        first = name == plots.ABLATION_NAMES[0]
+        origin = [findings_ablation.origin(ablation, spoken)] if first else []
+        return origin + findings_ablation.sentences(ablation, name, spoken)
+
+    return _sections(folder, plots.ABLATION_NAMES, told)
+
+
+def _sections(
+    folder: Path, names: tuple[str, ...], told: Callable[[str, str], list[str]]
+) -> list[Section]:
+    """Of those plots that lie in the folder."""
     found = []
-    for name in _ORDER:
-        path = images / f"{name}.png"
+    for name in names:
+        path = folder / f"{name}.png"
         if path.exists():
-            data = base64.b64encode(path.read_bytes()).decode("ascii")
-            sentences = all_of(lambda spoken, name=name: _sentences(result, name, spoken))  # type: ignore[misc]
-            image = f"data:image/png;base64,{data}"
+            sentences = all_of(partial(told, name))
             title, how = say(f"title_{name}"), say(f"how_{name}")
-            found.append(Section(name, title, sentences, how, image))
+            found.append(Section(name, title, sentences, how, images.data_uri(path)))
     return found
 
 

@@ -35,7 +35,7 @@ class Table:
     lines: list[Line]
 
 
-def _column(key: str, css: str = "") -> tuple[Said, str]:
+def column(key: str, css: str = "") -> tuple[Said, str]:
     return say(f"column_{key}"), css
 
 
@@ -74,10 +74,10 @@ def _scene_times(result: Result, scene: str) -> Table:
             lines.append(Line(line, f"{state} first" if first else state))
             first = False
     columns = [
-        _column("spheres"),
-        _column("implementation", "text"),
+        column("spheres"),
+        column("implementation", "text"),
         *((say("column_run_ms", run=run_name(run)), "") for run in runs),
-        *map(_column, ("ns", "candidates", "doubts")),
+        *map(column, ("ns", "candidates", "doubts")),
     ]
     return Table(scene, columns, lines)
 
@@ -125,12 +125,12 @@ def _speedups(result: Result, run: str, ratios: list[Ratio]) -> Table:
     labels = words.labels(result)
     moving = any(ratio.motion not in (None, ratio.place.scene) for ratio in ratios)
     columns = [
-        _column("scene", "text"),
-        _column("spheres"),
-        *([_column("motion", "text")] if moving else []),
-        _column("implementation", "text"),
-        _column("against", "text"),
-        *map(_column, ("median", "range", "rounds")),
+        column("scene", "text"),
+        column("spheres"),
+        *([column("motion", "text")] if moving else []),
+        column("implementation", "text"),
+        column("against", "text"),
+        *map(column, ("median", "range", "rounds")),
     ]
     lines = [
         Line(
@@ -170,11 +170,11 @@ def gpu(result: Result) -> Table | None:
         ]
         lines.append(Line(line))
     columns = [
-        _column("scene", "text"),
-        _column("spheres"),
-        _column("implementation", "text"),
+        column("scene", "text"),
+        column("spheres"),
+        column("implementation", "text"),
         *((say("column_run_ms", run=run_name(run)), "") for run in met),
-        _column("device_bytes"),
+        column("device_bytes"),
     ]
     return Table(say("gpu_table"), columns, lines) if lines else None
 
@@ -208,11 +208,11 @@ def frames(result: Result) -> Table | None:
             ]
             lines.append(Line(line, "" if row.counts else "wrong"))
     columns = [
-        _column("scene", "text"),
-        _column("spheres"),
-        *([_column("motion", "text")] if named else []),
-        _column("implementation", "text"),
-        *map(_column, ("steady", "first", "frames")),
+        column("scene", "text"),
+        column("spheres"),
+        *([column("motion", "text")] if named else []),
+        column("implementation", "text"),
+        *map(column, ("steady", "first", "frames")),
     ]
     return Table(say("frames_table"), columns, lines) if lines else None
 
@@ -239,7 +239,7 @@ def skipped(result: Result) -> Table | None:
         for impl, reason in places
     ]
     names = ("implementation", "where", "runs", "why")
-    columns = [_column(name, "text") for name in names]
+    columns = [column(name, "text") for name in names]
     return Table(say("skipped_title"), columns, lines) if lines else None
 
 
@@ -261,5 +261,5 @@ def unavailable(result: Result) -> Table | None:
         for group in result.groups
         if group.unavailable is not None
     ]
-    columns = [_column(name, "text") for name in ("scene", "spec", "why")]
+    columns = [column(name, "text") for name in ("scene", "spec", "why")]
     return Table(say("unavailable_title"), columns, lines) if lines else None

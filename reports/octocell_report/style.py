@@ -48,8 +48,15 @@ _MARKERS = (
     (4, 1, 0),
     (6, 1, 0),
 )
-_LINES = ("-", (0, (5, 1.5)), (0, (1.2, 1.2)), (0, (6, 1.5, 1.2, 1.5)))
-_SHADES = (0.0, 0.45, 0.7, 0.25)  # towards black, by variant of one backend
+_LINES = (
+    "-",
+    (0, (5, 1.5)),
+    (0, (1.2, 1.2)),
+    (0, (6, 1.5, 1.2, 1.5)),
+    (0, (9, 2)),
+    (0, (6, 1.5, 1.2, 1.5, 1.2, 1.5)),
+)
+_SHADES = (0.0, 0.45, 0.7, 0.25, 0.58, 0.13)  # towards black, by variant of one backend
 
 _STAGES = {
     "bounds": SKY,

@@ -63,6 +63,11 @@ def ratio(value: float) -> str:
     return f"{number(value)}×" if value >= 0.995 else f"{value:#.2g}×"
 
 
+def times(value: float) -> str:
+    """A ratio among others near 1, so with two decimals: 0.98, 1.00, 12.3."""
+    return f"{value:.2f}" if value < 9.995 else number(value)
+
+
 def tick(value: float, _: object = None) -> str:
     """An axis label: no trailing zeros, groups of digits apart."""
     return grouped(value) if abs(value) >= 1000 else f"{value:g}"
@@ -129,6 +134,12 @@ def labels(result: Result) -> dict[Impl, str]:
         return " ".join(words)
 
     return {impl: label(impl) for impl in result.impls}
+
+
+def variant(row: Row) -> str:
+    """'impl_cpu planned, no_sort': a variant of the plan is no implementation of its own."""
+    threads = f" ({row.impl.threads} threads)" if row.impl.threads != 1 else ""
+    return f"{row.impl.backend} {row.impl.method}{threads}, {row.skips}"
 
 
 def titles(result: Result) -> dict[Impl, str]:

@@ -89,6 +89,22 @@ _TABLES = {
     "cell_wrong": "wrong {losses}",
     "cell_exhibit": "exhibit {losses}",
     "cell_exhibit_exact": "exhibit, exact here",
+    "regret_table": "Regret as a table",
+    "regret_how": "Planned and best time are medians; the regret is the median of their ratio within "
+    "rounds. The interval holds 99 % of the medians of rounds drawn again (bootstrap). Above: the whole "
+    "interval lies above the target; unclear: it holds the target.",
+    "regret_same_plan": "{choice} (same plan)",
+    "column_backend": "backend",
+    "column_planned": "planned [ms]",
+    "column_best_time": "best choice [ms]",
+    "column_regret": "regret",
+    "column_interval": "interval",
+    "column_best": "best choice",
+    "column_verdict": "verdict",
+    "verdict_within": "within",
+    "verdict_above": "above",
+    "verdict_unclear": "unclear",
+    "verdict_unknown": "too few rounds",
 }
 
 _SECTIONS = {
@@ -146,6 +162,19 @@ _SECTIONS = {
     "title_memory": "Memory",
     "how_memory": "Growth of resident memory over the scene, less the pairs themselves, per sphere; "
     "of the host alone. What a backend takes on a device stands beside its times there.",
+    "ablation": "Ablation and regret",
+    "title_ablation_skips": "What each skip is worth",
+    "how_ablation_skips": "The planner leaves out what it proves that a scene does not need. Here each skip is "
+    "forbidden alone: the number is that time by the planned one, within rounds, median. Above 1 the skip "
+    "saves time, below 1 it costs some. Bold: the plan takes the skip; grey: it does not, and the time should not change.",
+    "title_ablation_steps": "From nothing skipped to the plan",
+    "how_ablation_steps": "Skips are allowed one after the other, in one fixed order; a bar hangs between the time "
+    "before and the time after. Green saves, orange costs, pale is within the noise (the 99 % interval of the "
+    "difference within rounds holds 0). What a step is worth depends on those before it.",
+    "title_ablation_regret": "Regret: the plan against the best choice",
+    "how_ablation_regret": "Planned time by that of the fastest of all methods that can be forced and all variants, "
+    "within rounds. The fastest is found after the fact, so a percent or two above 1 is chance where many "
+    "are alike; hollow marks say that it came to the very same plan.",
 }
 
 _READING = {
@@ -223,6 +252,28 @@ _FINDINGS = {
     "device_bytes": "{name}: {needs} bytes of device memory per sphere.",
     "steady": "{course}: the fastest steady frame is that of {name}, {time} ms.",
     "steady_speed": "{course}: our fastest steady frame is {ratio} as fast as {family}'s fastest.",
+    "space": " ",
+    "headline_variants_one": "{wrong} of {variants} variants of the plan is wrong.",
+    "headline_variants": "{wrong} of {variants} variants of the plan are wrong.",
+    "ablation_origin": "Measured on {cpu}, {date}, commit {commit}, {rounds} interleaved rounds.",
+    "ablation_origin_interrupted": "Measured on {cpu}, {date}, commit {commit}, {rounds} interleaved rounds; interrupted, so scenes are missing.",
+    "ablation_left_out": "Left out, as there is no exact planned row to hold others against: {cases}.",
+    "ablation_wrong": "Wrong answers: {cases}.",
+    "skips_none": "{name}: no plan takes a skip that was forbidden here.",
+    "skips_worth": "{name}: plans take {taken} skips, and forbidding one costs time in {costly} of these cases, most for {skip} on "
+    "{place}: {ratio} times the planned time.",
+    "skips_chance": "In {count} cases the skip is not needed, and forbidding it gives {ratios} times the planned time: so much is chance here.",
+    "skips_harm": "{name}: {count} skips that plans take do harm, beyond the noise; time without them by the planned one, lowest first: {cases}.",
+    "skip_on": "{skip} on {place} {value}",
+    "steps_whole": "{name}: the plan is {ratios} as fast as with nothing skipped, over {scenes}; the step that saves most: {steps}.",
+    "step_on_scenes": "{skip} ({scenes})",
+    "steps_no_gain": "none beyond the noise",
+    "steps_lost": "{name}: steps that cost time, beyond the noise: {count}, the worst in ns per sphere: {cases}.",
+    "regret_within": "{name}: within {target} of the best forced choice on {within} of {scenes}; the highest regret is {worst}.",
+    "regret_above": "Above {target} beyond the noise: {cases}.",
+    "regret_unclear": "The interval holds {target}, so more rounds would have to tell: {cases}.",
+    "regret_unknown": "Too few rounds to judge against {target}: {cases}.",
+    "regret_case": "{ratio} on {place} (best: {choice})",
 }
 
 TEXTS: dict[str, str] = _PAGE | _TABLES | _SECTIONS | _READING | _FINDINGS

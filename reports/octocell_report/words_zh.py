@@ -82,6 +82,21 @@ _TABLES = {
     "cell_wrong": "错误 {losses}",
     "cell_exhibit": "反例 {losses}",
     "cell_exhibit_exact": "反例，此处精确",
+    "regret_table": "遗憾值数据表",
+    "regret_how": "计划时间与最佳时间都是中位数；遗憾值是两者在每轮内之比的中位数。区间包含对各轮重新抽样"
+    "（自助法）所得中位数的 99 %。超出：整个区间高于目标；不确定：区间包含目标。",
+    "regret_same_plan": "{choice}（计划相同）",
+    "column_backend": "后端",
+    "column_planned": "计划 [ms]",
+    "column_best_time": "最佳选择 [ms]",
+    "column_regret": "遗憾值",
+    "column_interval": "区间",
+    "column_best": "最佳选择",
+    "column_verdict": "结论",
+    "verdict_within": "达标",
+    "verdict_above": "超出",
+    "verdict_unclear": "不确定",
+    "verdict_unknown": "轮数太少",
 }
 
 _SECTIONS = {
@@ -128,6 +143,16 @@ _SECTIONS = {
     "title_memory": "内存",
     "how_memory": "常驻内存相对于场景本身的增长，减去球对输出，平均到每个球；仅指主机内存。"
     "后端在设备上占用的内存与其时间列在一起。",
+    "ablation": "消融与遗憾值",
+    "title_ablation_skips": "每项省略的价值",
+    "how_ablation_skips": "规划器省去它能证明该场景不需要的工作。这里逐一禁止每项省略：数字是禁止后的时间与计划时间之比，"
+    "在每轮内计算，取中位数。大于 1 表示该省略节省时间，小于 1 表示它反而费时。粗体：计划采用了该省略；灰色：没有采用，时间应当不变。",
+    "title_ablation_steps": "从不省略到计划",
+    "how_ablation_steps": "按固定顺序逐一允许各项省略；每条位于该步之前与之后的时间之间。绿色节省，橙色费时，浅色在噪声之内"
+    "（每轮内之差的 99 % 区间包含 0）。一步的价值取决于它之前的各步。",
+    "title_ablation_regret": "遗憾值：计划与最佳选择",
+    "how_ablation_regret": "计划时间除以所有可强制的方法和所有变体中最快者的时间，在每轮内计算。最快者是事后选出的，"
+    "因此在许多选择相近时，比 1 高百分之一二属于偶然；空心标记表示最快者与计划完全相同。",
 }
 
 _READING = {
@@ -198,6 +223,28 @@ _FINDINGS = {
     "device_bytes": "{name}：每球占用 {needs} 字节设备内存。",
     "steady": "{course}：稳态帧最快的是 {name}，{time} ms。",
     "steady_speed": "{course}：我们最快的稳态帧的速度是 {family} 最快者的 {ratio}。",
+    "space": "",
+    "headline_variants_one": "计划的 {variants} 个变体中有 {wrong} 个错误。",
+    "headline_variants": "计划的 {variants} 个变体中有 {wrong} 个错误。",
+    "ablation_origin": "测于 {cpu}，{date}，提交 {commit}，{rounds} 轮交错测量。",
+    "ablation_origin_interrupted": "测于 {cpu}，{date}，提交 {commit}，{rounds} 轮交错测量；运行被中断，缺少部分场景。",
+    "ablation_left_out": "未列入，因为没有精确的计划行可作对照：{cases}。",
+    "ablation_wrong": "错误的结果：{cases}。",
+    "skips_none": "{name}：没有计划采用这里禁止的省略。",
+    "skips_worth": "{name}：各计划共采用 {taken} 项省略，其中 {costly} 项禁止后更费时，最多的是 {place} 上的 {skip}："
+    "为计划时间的 {ratio} 倍。",
+    "skips_chance": "另有 {count} 种情形不需要该省略，禁止后的时间为计划时间的 {ratios} 倍：这就是此处的偶然误差。",
+    "skips_harm": "{name}：计划采用的省略中有 {count} 项反而费时，超出噪声；禁止后与计划时间之比，由低到高：{cases}。",
+    "skip_on": "{place} 上的 {skip} {value}",
+    "steps_whole": "{name}：在 {scenes}中，计划的速度是不作任何省略时的 {ratios}；节省最多的一步：{steps}。",
+    "step_on_scenes": "{skip}（{scenes}）",
+    "steps_no_gain": "没有超出噪声的步骤",
+    "steps_lost": "{name}：费时且超出噪声的步数：{count}，最多的是（每球纳秒）：{cases}。",
+    "regret_within": "{name}：{scenes}中有 {within} 个与最佳的强制选择之比不超过 {target}；最高的遗憾值为 {worst}。",
+    "regret_above": "超过 {target} 且超出噪声：{cases}。",
+    "regret_unclear": "区间包含 {target}，需要更多轮次才能判定：{cases}。",
+    "regret_unknown": "轮数太少，无法对照 {target} 判定：{cases}。",
+    "regret_case": "{place} 上的 {ratio}（最佳：{choice}）",
 }
 
 TEXTS: dict[str, str] = _PAGE | _TABLES | _SECTIONS | _READING | _FINDINGS

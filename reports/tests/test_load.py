@@ -5,11 +5,13 @@ import copy
 
 import pytest
 
+from octocell_report import words
 from octocell_report.fields import ReportError
 from octocell_report.findings import overview
 from octocell_report.load import STAGES, Impl, Place, load, parse
 
 import synthetic
+import synthetic_ablation
 from synthetic import RUN_FACTORS, group, row, skipped, wrong
 
 
@@ -135,6 +137,45 @@ def test_a_wrong_row_may_not_know_its_losses():
     document = one_row()
     document["rows"] = [wrong(row(), missed=1) | {"missed": None, "false": None}]
     assert parse(document).rows[0].status == "wrong"
+
+
+def test_variants_of_the_plan_stand_apart_from_rows_as_users_have_them():
+    document = synthetic_ablation.document(*synthetic_ablation.group_rows())
+    result = parse(document)
+    assert [row.skips for row in result.variants] == [
+        row["skips"] for row in document["rows"] if row["skips"]
+    ]
+    assert {row.impl.method for row in result.rows} == {"planned", "home_phantom", "half_shell"}
+    plan = result.rows[0].plan
+    assert plan and plan.skips == ("key_bits", "safe_band", "phantoms", "sort")
+    assert words.labels(result)[result.rows[0].impl] == "impl_cpu planned"
+
+
+def test_skips_and_plan_are_optional_and_may_be_null():
+    for fields in ({}, {"skips": None, "plan": None}):
+        known = parse(one_row(**fields)).rows[0]
+        assert known.skips is None and known.plan is None
+
+
+PLAN = synthetic_ablation.plan()
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"skips": "no_sort"}, "field 'skips' is set, but its method is not planned"),
+        ({"skips": "", "method": "planned"}, "field 'skips' is \"\", not text, not empty or null"),
+        ({"skips": 3, "method": "planned"}, "field 'skips' is 3"),
+        ({"plan": "half_shell"}, "field 'plan' is \"half_shell\", not an object"),
+        ({"plan": PLAN | {"levels": -1}}, "plan: field 'levels' is -1"),
+        ({"plan": PLAN | {"skips": [1]}}, "plan: field 'skips' is .1., not a list of texts"),
+        ({"plan": {"method": "half_shell"}}, "plan: lacks the field 'levels'"),
+    ],
+)
+def test_a_bad_plan_or_variant_is_named(changes, message):
+    with pytest.raises(ReportError, match=message) as error:
+        parse(one_row(**changes))
+    assert str(error.value).startswith("row 0 (find_pairs/")
 
 
 def test_known_faults_are_optional_text():

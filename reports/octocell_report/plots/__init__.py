@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 
 import matplotlib.pyplot as plt
@@ -11,7 +11,18 @@ from matplotlib.figure import Figure
 
 from octocell_report import style, tables
 from octocell_report.load import Impl, Result
-from octocell_report.plots import bandwidth, correctness, dynamic, memory, speed, stages, time
+from octocell_report.plots import (
+    bandwidth,
+    correctness,
+    dynamic,
+    memory,
+    regret,
+    skips,
+    speed,
+    stages,
+    steps,
+    time,
+)
 from octocell_report.style import Look
 
 # Every name that draw_all() may use: a build replaces or removes these and nothing else.
@@ -28,12 +39,24 @@ NAMES = (
     "correctness",
     "memory",
 )
+# The same for draw_ablation().
+ABLATION_NAMES = ("ablation_skips", "ablation_steps", "ablation_regret")
 
 
 def draw_all(result: Result) -> Iterator[tuple[str, Figure]]:
     """Name and figure, one at a time; the figure is closed when the next one is asked for."""
+    yield from _drawn(_plans(result, style.looks(result)))
+
+
+def draw_ablation(result: Result) -> Iterator[tuple[str, Figure]]:
+    """The same for what planned rows and their variants show."""
+    plans = (partial(skips.draw, result), partial(steps.draw, result), partial(regret.draw, result))
+    yield from _drawn(dict(zip(ABLATION_NAMES, plans, strict=True)))
+
+
+def _drawn(plans: Mapping[str, Callable[[], Figure | None]]) -> Iterator[tuple[str, Figure]]:
     with plt.rc_context(style.RC):
-        for name, draw in _plans(result, style.looks(result)).items():
+        for name, draw in plans.items():
             figure = draw()
             if figure is None:
                 continue

@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: MIT
+"""An ablation as files: three figures, two tables as CSV, and all of it as Markdown."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+import pandas as pd
+
+from octocell_report import ablation, findings_ablation, images, markdown, plots, tables, words
+from octocell_report.ablation import Regret, Study
+from octocell_report.files import staged_folder
+from octocell_report.language import tell
+from octocell_report.load import Result, Row
+from octocell_report.spread import Estimate
+
+TABLES = ("ablation.csv", "regret.csv", "ablation.md")
+
+
+def owned_names() -> set[str]:
+    """Every file that write() may write."""
+    drawn = {f"{name}.{end}" for name in plots.ABLATION_NAMES for end in images.ENDINGS}
+    return drawn | set(TABLES)
+
+
+def build(result: Result, folder: Path) -> list[str]:
+    """Writes everything; returns the names. All or nothing."""
+    with staged_folder(folder, owned_names()) as staging:
+        write(result, staging)
+        return sorted(path.name for path in staging.iterdir())
+
+
+def write(result: Result, folder: Path) -> None:
+    images.write(plots.draw_ablation(result), folder)
+    rows_frame(result).convert_dtypes().to_csv(folder / "ablation.csv", index=False)
+    regret_frame(result).convert_dtypes().to_csv(folder / "regret.csv", index=False)
+    (folder / "ablation.md").write_text(text(result, folder), encoding="utf-8")
+
+
+def rows_frame(result: Result) -> pd.DataFrame:
+    """Every planned row, variant and forced method; what is not exact has no ratio."""
+    found = []
+    for study in [*ablation.studies(result), *ablation.unjudged(result)]:
+        rows = [study.planned] if study.planned else []
+        found += [_row(study, row) for row in [*rows, *study.variants, *study.forced]]
+    return pd.DataFrame(found)
+
+
+def _row(study: Study, row: Row) -> dict[str, Any]:
+    ran, plan = bool(row.round_ms), row.plan
+    return {
+        **_head(study),
+        **{"method": row.impl.method, "rule": row.impl.rule, "skips": row.skips},
+        **{"status": row.status, "reason": row.reason},
+        **{"missed": row.missed, "false": row.false, "duplicates": row.duplicates},
+        "median_ms": row.median_ms if ran else None,
+        "min_ms": min(row.round_ms, default=None),
+        "max_ms": max(row.round_ms, default=None),
+        "ns_per_sphere": tables.ns_per_sphere(row) if ran else None,
+        "rounds": len(row.round_ms),
+        **_estimate("by_planned", ablation.by_planned(study, row)),
+        "plan_method": plan.method if plan else None,
+        "plan_levels": plan.levels if plan else None,
+        "plan_key_bits": plan.key_bits if plan else None,
+        "plan_sort_passes": plan.sort_passes if plan else None,
+        "plan_skips": " ".join(plan.skips) if plan else None,
+    }
+
+
+def _head(study: Study) -> dict[str, Any]:
+    key = study.key
+    return {
+        **{"backend": key.backend, "scene": key.place.scene, "n": key.place.n},
+        **{"motion": key.motion, "run": key.run, "threads": key.threads},
+    }
+
+
+def _estimate(name: str, value: Estimate | None) -> dict[str, float | None]:
+    return {
+        f"{name}_median": value.median if value else None,
+        f"{name}_low": value.low if value else None,
+        f"{name}_high": value.high if value else None,
+    }
+
+
+def regret_frame(result: Result) -> pd.DataFrame:
+    return pd.DataFrame(
+        {
+            **_head(found.study),
+            "planned_ms": found.study.base.median_ms,
+            "best": ablation.choice(found.best),
+            "best_ms": median(found.best.round_ms),
+            "choices": found.choices,
+            "same_plan": found.same_plan,
+            **_estimate("regret", found.ratio),
+            "rounds": found.ratio.rounds,
+            "verdict": found.verdict,
+        }
+        for found in ablation.regrets(ablation.studies(result))
+    )
+
+
+def text(result: Result, folder: Path) -> str:
+    """Figures that lie in the folder, each with its sentences, and the numbers as tables."""
+    parts = [f"# {tell('en', 'ablation')}", findings_ablation.origin(result)]
+    numbers = {"ablation_skips": _skips_table, "ablation_regret": _regret_table}
+    for name in plots.ABLATION_NAMES:
+        if not (folder / f"{name}.png").exists():
+            continue
+        title = tell("en", f"title_{name}")
+        parts += [f"## {title}", " ".join(findings_ablation.sentences(result, name))]
+        parts += [tell("en", f"how_{name}"), f"![{title}]({name}.png)"]
+        if name in numbers:
+            parts.append(numbers[name](result))
+    return "\n\n".join(parts) + "\n"
+
+
+def _skips_table(result: Result) -> str:
+    studies = ablation.studies(result)
+    skips = ablation.skips_of(studies)
+    lines = [markdown.line(["scene", "backend", *skips]), markdown.rule(2 + len(skips))]
+    for study in studies:
+        cells = {effect.skip: _skip_cell(effect) for effect in ablation.effects(study)}
+        row = [cells.get(skip, words.NONE) for skip in skips]
+        lines.append(markdown.line([study.title, study.key.backend, *row]))
+    return "\n".join(lines)
+
+
+def _skip_cell(effect: ablation.Effect) -> str:
+    if effect.ratio is None:
+        return f"wrong {words.losses(effect.row)}" if effect.row.status == "wrong" else "skipped"
+    ratio = words.times(effect.ratio.median)
+    return f"**{ratio}**" if effect.taken else ratio
+
+
+def _regret_table(result: Result) -> str:
+    header = [
+        "scene",
+        "backend",
+        "planned [ms]",
+        "best [ms]",
+        "best",
+        "regret",
+        "interval",
+        "verdict",
+    ]
+    lines = [markdown.line(header), markdown.rule(len(header))]
+    lines += [
+        markdown.line(_regret_cells(regret))
+        for regret in ablation.regrets(ablation.studies(result))
+    ]
+    return "\n".join(lines)
+
+
+def _regret_cells(regret: Regret) -> list[str]:
+    ratio, times = regret.ratio, words.times
+    return [
+        *(regret.study.title, regret.study.key.backend),
+        *(words.number(regret.study.base.median_ms), words.number(regret.best.median_ms)),
+        ablation.choice(regret.best) + (", same plan" if regret.same_plan else ""),
+        *(times(ratio.median), f"{times(ratio.low)} .. {times(ratio.high)}", regret.verdict),
+    ]

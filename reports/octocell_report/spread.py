@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: MIT
+"""How far a median of rounds may be off: rounds are drawn again, with replacement, and the middle
+99 % of the medians so found are the interval (bootstrap, its random numbers fixed). With five
+rounds or fewer it is all but the range of the rounds; with fewer than three nothing is judged."""
+
+from __future__ import annotations
+
+from functools import cache
+from statistics import median
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Times = NDArray[np.float64]
+
+LEAST_ROUNDS = 3
+SHARE = 99  # per cent of the medians that the interval holds
+TAILS = ((100 - SHARE) / 2, (100 + SHARE) / 2)
+_DRAWS = 2000
+
+
+class Estimate(NamedTuple):
+    """The median over the rounds, and its interval."""
+
+    median: float
+    low: float
+    high: float
+    rounds: int
+
+    @property
+    def judged(self) -> bool:
+        return self.rounds >= LEAST_ROUNDS
+
+    def above(self, limit: float) -> bool:
+        """Beyond the noise of the rounds."""
+        return self.judged and self.low > limit
+
+    def below(self, limit: float) -> bool:
+        return self.judged and self.high < limit
+
+
+@cache
+def estimate(values: tuple[float, ...]) -> Estimate:
+    """Of one value a round; there must be one."""
+    drawn = drawn_medians(np.asarray(values), np.random.default_rng(1))
+    low, high = np.percentile(drawn, TAILS, method="inverted_cdf")
+    return Estimate(median(values), float(low), float(high), len(values))
+
+
+def drawn_medians(times: Times, random: np.random.Generator) -> Times:
+    drawn = random.integers(0, len(times), size=(_DRAWS, len(times)))
+    medians: Times = np.median(times[drawn], axis=1)
+    return medians

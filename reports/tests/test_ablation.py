@@ -1,0 +1,290 @@
+# SPDX-License-Identifier: MIT
+"""Planned rows, their variants and forced methods: numbers, figures, files, and the page."""
+
+from __future__ import annotations
+
+import re
+from itertools import pairwise
+
+import matplotlib.pyplot as plt
+import pytest
+
+from octocell_report import (
+    ablation,
+    check,
+    findings,
+    findings_ablation,
+    frames,
+    language,
+    page,
+    page_ablation,
+    plots,
+    readme,
+    spread,
+    style,
+    tables,
+)
+from octocell_report.cli import main
+from octocell_report.load import parse
+from octocell_report.plan import allowed_last, forbidden
+
+import synthetic
+import synthetic_ablation
+from synthetic_ablation import document, forced, group_rows, moving_rows, planned
+
+HAN = re.compile(r"[\u4e00-\u9fff]")
+END = 100 * 0.9 * 0.95 * 0.5 * 0.8  # ns per sphere, planned
+
+
+def studied(*rows, **changes):
+    return parse(document(*rows, **changes))
+
+
+def the_study(*rows):
+    (study,) = ablation.studies(studied(*rows))
+    return study
+
+
+def every_ablation():
+    return parse(synthetic_ablation.every_case())
+
+
+def drawn(result):
+    """Texts of each figure, by its name."""
+    return {
+        name: [text.get_text() for text in figure.findobj(plt.Text)]
+        for name, figure in plots.draw_ablation(result)
+    }
+
+
+def test_names_of_variants_are_taken_apart():
+    assert allowed_last("first_11_few_movers") == (11, "few_movers")
+    assert forbidden("no_key_bits") == "key_bits"
+    for name in ("none", "only_sort", "first_sort"):
+        assert allowed_last(name) is None and forbidden(name) is None
+
+
+def test_an_effect_is_the_median_over_the_rounds_of_ratios_within_them():
+    fast, slow = planned(10, None, ["sort"]), planned(10, "no_sort")
+    fast["total_ms"], slow["total_ms"] = [1.0, 2.0, 4.0], [3.0, 2.0, 20.0]
+    (effect,) = ablation.effects(the_study(fast, slow))
+    assert effect.taken and effect.skip == "sort"
+    assert effect.ratio == spread.Estimate(3.0, 1.0, 5.0, 3)  # of 3, 1, 5; not 3 / 2
+
+
+def test_effects_tell_what_the_plan_takes_from_what_it_does_not_need():
+    effects = {effect.skip: effect for effect in ablation.effects(the_study(*group_rows()))}
+    assert [skip for skip, effect in effects.items() if effect.taken] == [
+        *("key_bits", "safe_band", "phantoms", "sort")
+    ]
+    assert effects["phantoms"].ratio.median == pytest.approx(2)
+    assert effects["layers"].ratio.median == pytest.approx(1)
+
+
+def test_steps_hang_together_from_nothing_skipped_to_the_plan():
+    steps = ablation.steps(the_study(*group_rows()))
+    assert [step.skip for step in steps] == list(synthetic_ablation.STEPS)
+    assert steps[0].before == pytest.approx(102) and steps[-1].after == pytest.approx(1.02 * END)
+    assert all(a.after == b.before for a, b in pairwise(steps))
+    assert steps[2].saved.median == pytest.approx(1.02 * 100 * 0.9 * 0.95 * 0.5)
+    assert [step.kind for step in steps[:4]] == ["saved", "saved", "saved", "noise"]
+
+
+def test_a_step_beyond_ten_comes_after_the_ninth():
+    steps = ablation.steps(the_study(*moving_rows()))
+    assert [step.skip for step in steps] == list(synthetic_ablation.MOVING)
+    assert steps[-1].kind == "saved"
+
+
+def test_a_wrong_step_has_no_time_and_the_next_one_is_told_as_joint():
+    result = every_ablation()
+    study = next(s for s in ablation.studies(result) if s.title == "dense 5k")
+    wrong, after = ablation.steps(study)[2:4]
+    assert wrong.after is None and wrong.kind == "noise"
+    assert after.joint and after.kind == "joint" and after.before == wrong.before
+    assert not any("layers" in t for t in findings_ablation.sentences(result, "ablation_steps"))
+
+
+def test_too_few_rounds_judge_nothing():
+    rows = group_rows(half_shell=0.5)
+    for row in rows:
+        row["total_ms"] = row["total_ms"][:2]
+        row["stage_ms"] = {}
+    study = the_study(*rows)
+    assert {step.kind for step in ablation.steps(study)} == {"noise"}
+    assert ablation.regret(study).verdict == "unknown"
+    told = findings_ablation.sentences(studied(*rows), "ablation_regret")
+    assert told[-1] == "Too few rounds to judge against 1.10: gas 1k."
+
+
+VERDICTS = [
+    ([10.0, 10.0, 10.0], [9.5, 9.5, 9.5], "within"),
+    ([10.0, 10.0, 10.0], [8.0, 8.0, 8.0], "above"),
+    ([10.0, 10.0, 10.0], [8.0, 9.5, 9.5], "unclear"),
+    ([9.0, 9.0, 9.0], [10.0, 10.0, 10.0], "within"),  # no choice is as good as the plan
+]
+
+
+@pytest.mark.parametrize(("ours", "theirs", "verdict"), VERDICTS)
+def test_regret_is_judged_by_its_interval(ours, theirs, verdict):
+    rows = [planned(1), planned(1, "none"), forced("half_shell", None, 1)]
+    for row, times in zip(rows, (ours, [99.0] * 3, theirs), strict=True):
+        row["total_ms"] = times
+    found = ablation.regret(the_study(*rows))
+    assert (found.verdict, ablation.choice(found.best)) == (verdict, "half_shell")
+    assert found.choices == 2
+
+
+def test_the_best_choice_is_exact_and_no_exhibit():
+    rows = group_rows(half_shell=0.5, home_phantom=0.4)
+    rows[-1] = synthetic.wrong(rows[-1], missed=1)
+    rows[-2] |= {"exhibit": True}
+    assert ablation.regret(the_study(*rows)).best.skips is not None
+
+
+def test_a_best_choice_of_the_same_plan_is_told():
+    rows = group_rows()
+    same = next(row for row in rows if row["skips"] == "no_grid")
+    same["total_ms"] = [0.99 * ms for ms in same["total_ms"]]
+    found = ablation.regret(the_study(*rows))
+    assert found.same_plan and ablation.choice(found.best) == "no_grid"
+    result = studied(*rows)
+    assert page_ablation.regret(result).lines[0].cells[6].text.en == "no_grid (same plan)"
+
+
+def test_moving_scenes_are_held_against_each_other_by_their_steady_frames():
+    rows = moving_rows()
+    for row in rows:
+        row["total_ms"] = [ms * 7 for ms in row["total_ms"]]  # unlike the frames, to be told apart
+    effects = {effect.skip: effect for effect in ablation.effects(the_study(*rows))}
+    assert effects["skin"].ratio.median == pytest.approx(4)
+    assert the_study(*rows).title == "gas_brownian 1k"
+
+
+def test_studies_keep_backends_and_scenes_apart():
+    found = {
+        b: [s.title for s in studies] for b, studies in ablation.backends(every_ablation()).items()
+    }
+    assert found == {
+        "impl_cpu": ["gas 1k", "dense 5k", "gas_brownian 1k"],
+        "impl_thrust": ["gas 1k"],
+    }
+    assert [study.title for study in ablation.unjudged(every_ablation())] == ["poly 2k"]
+
+
+def test_variants_are_in_no_other_table_plot_or_sentence():
+    rows = group_rows()
+    with_them = studied(*rows)
+    without = studied(*(row for row in rows if not row["skips"]))
+    assert page.sections(with_them, page.Path("nowhere")) == []
+    for name, frame in frames.all_frames(with_them).items():
+        assert frame.equals(frames.all_frames(without)[name]), name
+    assert tables.correctness(with_them) == tables.correctness(without)
+    assert findings.overview(with_them) == findings.overview(without)
+    assert findings.time(with_them, "warm") == findings.time(without, "warm")
+    assert readme.correctness(with_them) == readme.correctness(without)
+    assert list(style.looks(with_them)) == list(style.looks(without))
+    assert check.judge(with_them).exact == check.judge(without).exact == 3
+
+
+def test_a_wrong_variant_is_wrong_but_no_default_row(save, capsys):
+    rows = group_rows()
+    rows[1] = synthetic.wrong(rows[1], missed=2)
+    assert main(["check", str(save(document(*rows)))]) == 1
+    lines = capsys.readouterr().out.splitlines()
+    assert "skips:none/" in lines[0] and "−2 +0" in lines[0]
+    assert lines[1].startswith(
+        "All 3 default rows are exact. 1 of 17 variants of the plan is wrong."
+    )
+    result = studied(*rows)
+    assert check.headline(check.judge(result), "zh").endswith("17 个变体中有 1 个错误。")
+    assert "impl_cpu planned, none is wrong on gas 1k (−2 +0)." in findings.correctness(result)
+
+
+def test_a_variant_without_its_planned_row_is_still_judged():
+    result = studied(
+        synthetic.wrong(planned(1, "no_sort"), missed=1), forced("half_shell", None, 1)
+    )
+    assert not check.judge(result).passes
+    assert "impl_cpu planned, no_sort is wrong on gas 1k (−1 +0)." in findings.correctness(result)
+    assert ablation.studies(result) == [] and len(ablation.unjudged(result)) == 1
+
+
+def test_the_map_has_a_cell_for_every_skip_with_wrong_and_skipped_ones_named():
+    texts = drawn(every_ablation())["ablation_skips"]
+    assert {"impl_cpu", "impl_thrust", "wrong\n−3 +1", "skipped", "few\nmovers"} <= set(texts)
+    assert texts.count("2.00") >= 4  # phantoms on every scene; the colour bar may have one more
+
+
+def test_what_is_not_needed_is_quiet():
+    _, figure = next(plots.draw_ablation(studied(*group_rows())))
+    weights = {t.get_text(): t.get_fontweight() for t in figure.axes[0].texts}
+    assert (weights["2.00"], weights["1.00"]) == ("bold", "normal")
+
+
+def test_one_facet_per_scene_with_the_change_of_each_step_that_tells():
+    texts = drawn(studied(*group_rows()))["ablation_steps"]
+    assert {"none", "+ phantoms", "planned", "−10.2", "−43.6"} <= set(texts)
+    texts = drawn(every_ablation())["ablation_steps"]
+    assert {"impl_thrust\ngas 1k", "wrong −3 +1", "several steps at once"} <= set(texts)
+
+
+def test_the_regret_names_ratio_and_choice():
+    texts = drawn(every_ablation())["ablation_regret"]
+    assert {"1.67  half_shell", "1.03  half_shell"} <= set(texts)
+
+
+def test_sentences_come_from_the_numbers():
+    result = every_ablation()
+    skips, *_, left, wrong = findings_ablation.sentences(result, "ablation_skips")
+    assert "most for skin on gas_brownian 1k: 4.00 times the planned time" in skips
+    assert left.endswith("impl_cpu poly 2k.")
+    assert "impl_cpu no_sort dense 5k (−3 +1)" in wrong
+    regret = findings_ablation.sentences(result, "ablation_regret")
+    assert regret[0] == (
+        "impl_cpu: within 1.10 of the best forced choice on 2 of 3 scenes; the highest regret is "
+        "1.67× on gas 1k (best: half_shell)."
+    )
+    assert regret[1] == "Above 1.10 beyond the noise: 1.67× on gas 1k (best: half_shell)."
+
+
+def test_a_skip_and_a_step_that_do_harm_are_named():
+    rows = group_rows()
+    for row in rows:
+        if row["skips"] == "no_sort" or (row["skips"] or "").startswith("first_2"):
+            row["total_ms"] = [0.5 * ms for ms in row["total_ms"]]
+    result = studied(*rows)
+    told = findings_ablation.sentences(result, "ablation_skips")
+    assert told[-1].endswith("do harm, beyond the noise; time without them by the planned one, "
+                             "lowest first: sort on gas 1k 0.62.")  # fmt: skip
+    told = findings_ablation.sentences(result, "ablation_steps")
+    assert told == [told[0]]  # half of 87 is what the next step comes to as well: no loss
+    for row in rows:
+        if (row["skips"] or "").startswith("first_2"):
+            row["total_ms"] = [0.5 * ms for ms in row["total_ms"]]
+    told = findings_ablation.sentences(studied(*rows), "ablation_steps")
+    assert told[-1].endswith("the worst in ns per sphere: phantoms on gas 1k +21.8.")
+
+
+@pytest.mark.parametrize("name", plots.ABLATION_NAMES)
+def test_sentences_exist_in_both_languages_and_figures_in_one(name):
+    result = every_ablation()
+    english, chinese = (findings_ablation.sentences(result, name, s) for s in language.TEXTS)
+    assert len(english) == len(chinese) > 0
+    assert all(HAN.search(text) for text in chinese) and not HAN.search(" ".join(english))
+    assert not HAN.search(" ".join(drawn(result)[name]))
+
+
+def test_an_interrupted_run_and_changed_sources_are_told():
+    result = studied(*group_rows(), finished=False, dirty=True)
+    told = findings_ablation.origin(result)
+    assert "(dirty)" in told and told.endswith("interrupted, so scenes are missing.")
+
+
+def test_the_interval_is_that_of_the_rounds_and_the_same_every_time():
+    values = tuple(1 + k / 100 for k in range(41))
+    first = spread.estimate(values)
+    assert first.median == pytest.approx(1.2) and 1.1 < first.low < 1.2 < first.high < 1.3
+    spread.estimate.cache_clear()
+    assert spread.estimate(values) == first
+    assert spread.estimate((2.0,)) == spread.Estimate(2.0, 2.0, 2.0, 1)
