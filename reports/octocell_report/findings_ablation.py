@@ -57,7 +57,7 @@ def _skips(backend: str, studies: list[Study], language: str) -> list[str]:
     chance = [ratio.median for ratio, effect, _ in known if not effect.taken]
     if chance:
         ratios = spanned(chance, words.times, language)
-        found.append(tell(language, "skips_chance", count=len(chance), ratios=ratios))
+        found.append(tell(language, "skips_chance", name=backend, count=len(chance), ratios=ratios))
     return found + _faster_without(taken, backend, language)
 
 

@@ -262,7 +262,7 @@ _FINDINGS = {
     "skips_none": "{name}: no plan takes a skip that was forbidden here.",
     "skips_worth": "{name}: plans take {taken} skips, and forbidding one costs time in {costly} of these cases, most for {skip} on "
     "{place}: {ratio} times the planned time.",
-    "skips_chance": "In {count} cases the skip is not needed, and forbidding it gives {ratios} times the planned time: so much is chance here.",
+    "skips_chance": "{name}: in {count} cases the skip is not needed, and forbidding it gives {ratios} times the planned time: so much is chance here.",
     "skips_harm": "{name}: {count} skips that plans take do harm, beyond the noise; time without them by the planned one, lowest first: {cases}.",
     "skip_on": "{skip} on {place} {value}",
     "steps_whole": "{name}: the plan is {ratios} as fast as with nothing skipped, over {scenes}; the step that saves most: {steps}.",

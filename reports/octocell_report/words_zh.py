@@ -233,7 +233,7 @@ _FINDINGS = {
     "skips_none": "{name}：没有计划采用这里禁止的省略。",
     "skips_worth": "{name}：各计划共采用 {taken} 项省略，其中 {costly} 项禁止后更费时，最多的是 {place} 上的 {skip}："
     "为计划时间的 {ratio} 倍。",
-    "skips_chance": "另有 {count} 种情形不需要该省略，禁止后的时间为计划时间的 {ratios} 倍：这就是此处的偶然误差。",
+    "skips_chance": "{name}：另有 {count} 种情形不需要该省略，禁止后的时间为计划时间的 {ratios} 倍：这就是此处的偶然误差。",
     "skips_harm": "{name}：计划采用的省略中有 {count} 项反而费时，超出噪声；禁止后与计划时间之比，由低到高：{cases}。",
     "skip_on": "{place} 上的 {skip} {value}",
     "steps_whole": "{name}：在 {scenes}中，计划的速度是不作任何省略时的 {ratios}；节省最多的一步：{steps}。",
