@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "impl_cpu/coherence/coherence.hpp"
 #include "impl_cpu/stages.hpp"
 
 namespace octocell::cpu {
@@ -16,24 +17,33 @@ class CpuBackend final : public GridPairFinder {
     w_.id_count = 0;
     w_.cells.clear();
     if (!w_.threads || w_.threads->count() != plan.threads) {
-      w_.threads = std::make_unique<Threads>(plan.threads);
+      w_.threads = std::make_shared<Threads>(plan.threads);
     }
     w_.allocate();
+    coherence_.reset(w_);
+    flags_.assign(scene.flags.begin(), scene.flags.end());
   }
 
-  /// Nothing stands between runs: every find_pairs() starts from the spheres.
-  void update(SceneView scene) override { w_.scene = scene; }
+  /// What the last frame left serves the next only where coherence_ has proved that it may.
+  void update(SceneView scene) override {
+    if (!std::ranges::equal(flags_, scene.flags)) {
+      flags_.assign(scene.flags.begin(), scene.flags.end());
+      coherence_.forget();  // it compares spheres only
+    }
+    w_.scene = scene;
+  }
 
   Counts counts() override {
     Counts found;
-    found.ids = w_.id_count;
-    found.cells = w_.plan.method == Method::half_shell ? w_.ordered.row_count : w_.cells.size();
+    if (coherence_.runs(Stage::cell_ids)) count_cells(coherence_.ordered_now(w_), found);
     found.candidates = w_.candidates;
     found.doubts = w_.doubts.size();
     found.pairs = w_.pairs.size();
     found.over_candidate_limit = w_.candidates > w_.plan.candidate_limit;
+    found.served_by = coherence_.served_by();
     found.plan_violation = w_.violation;
     found.used = w_.used;
+    if (const auto skip = coherence_.served_by()) found.used = found.used.with(*skip);
     return found;
   }
 
@@ -49,15 +59,32 @@ class CpuBackend final : public GridPairFinder {
  protected:
   [[nodiscard]] Method method() const override { return w_.plan.method; }
   [[nodiscard]] bool nothing_to_find() const override { return w_.plan.nothing_to_find; }
-  void bounds() override { cpu::bounds(w_); }
-  void cell_ids() override { cpu::cell_ids(w_); }
-  void sort() override { cpu::sort(w_); }
-  void cell_index() override { cpu::cell_index(w_); }
-  void pair_tests() override { cpu::pair_tests(w_); }
-  void resolve() override { cpu::resolve(w_); }
+  [[nodiscard]] bool runs(Stage stage) const override {
+    return GridPairFinder::runs(stage) && coherence_.runs(stage);
+  }
+  void bounds() override {
+    if (coherence_.nothing_changed(w_)) return;
+    cpu::bounds(w_);
+    coherence_.choose_course(w_);
+  }
+  void cell_ids() override { cpu::cell_ids(coherence_.ordered_now(w_)); }
+  void sort() override { cpu::sort(coherence_.ordered_now(w_)); }
+  void cell_index() override { cpu::cell_index(coherence_.ordered_now(w_)); }
+  void pair_tests() override { coherence_.pair_tests(w_); }
+  void resolve() override {
+    cpu::resolve(w_);
+    coherence_.remember(w_);
+  }
 
  private:
+  static void count_cells(const Workspace& w, Counts& found) {
+    found.ids = w.id_count;
+    found.cells = w.plan.method == Method::half_shell ? w.ordered.row_count : w.cells.size();
+  }
+
   Workspace w_;
+  std::vector<Flags> flags_;  // of the scene
+  coherence::Coherence coherence_;
 };
 
 }  // namespace

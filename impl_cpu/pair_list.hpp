@@ -28,6 +28,10 @@ class PairList {
     return count_only_ ? count_.load(std::memory_order_relaxed) : stored_.size();
   }
   [[nodiscard]] std::span<const Pair> items() const { return stored_.items(); }
+  /// To be thinned out and cut: what remains is what was stored first.
+  [[nodiscard]] std::span<Pair> stored() { return stored_.items(); }
+  void cut(std::uint64_t size) { stored_.clear(size); }
+  [[nodiscard]] bool complete() const { return stored_.complete(); }
   [[nodiscard]] PairDigest digest() const {
     if (!count_only_) return digest_of(stored_.items());
     return {size(), checksum_.load(std::memory_order_relaxed)};

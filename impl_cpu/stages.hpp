@@ -34,7 +34,7 @@ struct IdArrays {
 struct Workspace {
   Plan plan;
   SceneView scene;
-  std::unique_ptr<Threads> threads;
+  std::shared_ptr<Threads> threads;  // workspaces of parts of a scene share them
 
   IdArrays ids[2];                              // [plan.capacity.ids]
   int current = 0;                              // which of the two holds the ids now

@@ -28,6 +28,7 @@ quietly() {  # NAME COMMAND...: only how it ended is shown
 tests() {
   quietly radix_sort "$here/tests/test_radix_sort" --gtest_brief=1
   quietly cuda_custom "$here/tests/test_cuda_custom" --gtest_brief=1
+  quietly cuda_half_shell "$here/tests/test_cuda_half_shell" --gtest_brief=1
   quietly agree "$here/tests/test_backends_agree" --gtest_brief=1 --gtest_filter='*cuda*'
   quietly buffers "$here/tests/test_buffers" --gtest_brief=1 --gtest_filter='*cuda*'
 }
@@ -61,7 +62,7 @@ bench() { run "$octocell" bench --preset gpu -o "$OUT/gpu.json"; }
 
 large() {
   run "$octocell" bench dense:n=1e7 poly:n=1e7 cluster:n=1e7 lattice:n=1e7,shuffle=1 shifted:n=1e7 giant:n=1e7 \
-    --rounds 3 --benchmark_filter='cuda.*rule:lowest_cell.*run:warm' -o "$OUT/gpu_large.json"
+    --rounds 3 --benchmark_filter='cuda.*method:planned.*run:warm' -o "$OUT/gpu_large.json"
 }
 
 for step in "${@:-tests check}"; do

@@ -38,7 +38,7 @@ TEST_P(Motions, StartWithTheSceneAndKeepRadiiAndNumbers) {
     EXPECT_EQ(frames[0][i].x, start[i].x);
     for (const auto& frame : frames) EXPECT_EQ(frame[i].r, start[i].r);
   }
-  EXPECT_NE(fingerprint({frames[0]}), fingerprint({frames[11]}));
+  EXPECT_EQ(fingerprint({frames[0]}) == fingerprint({frames[11]}), GetParam() == Motion::still);
 }
 
 TEST_P(Motions, TakeSmallSteps) {
@@ -78,12 +78,14 @@ TEST_P(Motions, LeaveStaticSpheresWhereTheyAre) {
     }
   }
   EXPECT_EQ(fingerprint(frames), fingerprint(expected));
+  if (GetParam() == Motion::still) return;
   EXPECT_NE(fingerprint(frames), fingerprint(without));
   EXPECT_NE(fingerprint({frames[7]}), fingerprint({frames[0]}));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Motions,
-                         testing::Values(Motion::brownian, Motion::free_fall, Motion::gravity),
+                         testing::Values(Motion::brownian, Motion::free_fall, Motion::gravity,
+                                         Motion::slow, Motion::few, Motion::still),
                          [](const auto& motion) {
                            return std::string(kMotionNames[static_cast<std::size_t>(motion.param)]);
                          });
@@ -96,6 +98,33 @@ TEST(Motion, WallsHoldBrownianSpheres) {
   for (const auto& frame : frames) {
     for (const Sphere& s : frame) ASSERT_GE(s.x, lowest);
   }
+}
+
+TEST(Motion, SlowSpheresTakeATenthOfTheStep) {
+  const Frames frames = move(generate("gas:n=500").spheres, Motion::slow, 4, kSeed);
+  for (std::size_t f = 1; f < frames.size(); ++f) {
+    for (std::size_t i = 0; i < 500; ++i) {
+      const Sphere& a = frames[f - 1][i];
+      const Sphere& b = frames[f][i];
+      ASSERT_LE(std::hypot(a.x - b.x, a.y - b.y, a.z - b.z), 0.01F * a.r * 1.01F) << f;
+    }
+  }
+}
+
+TEST(Motion, AFewAreATenthAndStayTheSame) {
+  const Frames frames = move(generate("gas:n=5000").spheres, Motion::few, 5, kSeed);
+  const auto moved = [](const Sphere& a, const Sphere& b) {
+    return a.x != b.x || a.y != b.y || a.z != b.z;
+  };
+  std::size_t movers = 0;
+  for (std::size_t i = 0; i < 5000; ++i) {
+    const bool moves = moved(frames[0][i], frames[1][i]);
+    movers += moves ? 1 : 0;
+    for (std::size_t f = 2; f < frames.size(); ++f) {
+      ASSERT_EQ(moved(frames[f - 1][i], frames[f][i]), moves) << i;
+    }
+  }
+  EXPECT_NEAR(static_cast<double>(movers), 500.0, 100.0);
 }
 
 TEST(Motion, FreeFallGoesDownAndGravityInwards) {

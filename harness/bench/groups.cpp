@@ -116,6 +116,9 @@ std::vector<Group> full_groups() {
       add_motion(groups, motion, n, n < 1'000'000 ? 30 : 12, 3);
     }
   }
+  for (const Motion motion : {Motion::slow, Motion::few, Motion::still}) {
+    for (const std::uint64_t n : {100'000ULL, 1'000'000ULL}) add_motion(groups, motion, n, 30, 3);
+  }
   groups.push_back(trajectory(std::string(kTrajectory), 3));
   return groups;
 }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <memory>
 
 #include "harness/bench/bench.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/cli/names.hpp"
+#include "harness/scenes/motion.hpp"
 
 namespace octocell::cli {
 namespace {
@@ -32,7 +36,7 @@ void add_bench(CLI::App& app, Command& command) {
   sub->add_option("--preset", o->preset,
                   "quick (minutes, default), full (an hour), gpu or ablation");
   sub->add_option("--backend", o->backend, "A backend, a baseline, or all");
-  sub->add_option("--motion", o->motion, "Move those scenes: brownian, free_fall or gravity");
+  sub->add_option("--motion", o->motion, fmt::format("Move those scenes: {}", fmt::join(kMotionNames, ", ")));
   sub->add_option("--frames", o->frames, "Frames of a motion")->check(CLI::Range(2, 100000));
   sub->add_option("--trajectory", o->trajectory, "A folder of frames (*.npy) to time");
   sub->add_option("-o,--output", o->output, "JSON to write (default reports/out/bench.json)");

@@ -71,19 +71,26 @@ class GridPairFinder : public PairFinder {
     const bool fused = bounds_with_cell_ids();
     bounds();
     if (!fused) clock.mark(Stage::bounds);
-    if (nothing_to_find()) return;
-    if (method() != Method::brute_force) {
+    if (runs(Stage::cell_ids)) {
       cell_ids();
       clock.mark(fused ? Stage::bounds : Stage::cell_ids, Stage::cell_ids);
+    }
+    if (runs(Stage::sort)) {
       sort();
       clock.mark(Stage::sort);
+    }
+    if (runs(Stage::cell_index)) {
       cell_index();
       clock.mark(Stage::cell_index);
     }
-    pair_tests();
-    clock.mark(Stage::pair_tests);
-    resolve();
-    clock.mark(Stage::resolve);
+    if (runs(Stage::pair_tests)) {
+      pair_tests();
+      clock.mark(Stage::pair_tests);
+    }
+    if (runs(Stage::resolve)) {
+      resolve();
+      clock.mark(Stage::resolve);
+    }
   }
 
  protected:
@@ -92,6 +99,12 @@ class GridPairFinder : public PairFinder {
   [[nodiscard]] virtual bool nothing_to_find() const = 0;
   /// True if cell_ids() checks what bounds() would, in its one reading of the spheres.
   [[nodiscard]] virtual bool bounds_with_cell_ids() const { return false; }
+  /// Asked after bounds(), which may have found that there is nothing to do.
+  [[nodiscard]] virtual bool runs(Stage stage) const {
+    if (nothing_to_find()) return false;
+    const bool is_grids = stage >= Stage::cell_ids && stage <= Stage::cell_index;
+    return !is_grids || method() != Method::brute_force;
+  }
   virtual void bounds() = 0;
   virtual void cell_ids() = 0;
   virtual void sort() = 0;

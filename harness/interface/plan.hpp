@@ -68,6 +68,19 @@ OCTOCELL_HD int level_of(const Levels& levels, float r) {
   return level;
 }
 
+/// Skip::skin: a search of spheres that have grown finds pairs that are near, and that stay the
+/// only ones that can overlap while nothing has moved further than the growth.
+struct SkinCells {
+  float growth = 0.0F;  // the most that each radius may grow by; 0: no skin
+  Levels levels;        // for radii that have grown by it
+  int key_bits = 0;
+};
+inline constexpr float kMostSkin = 0.4F;  // growth of the mean radius: 2.7 near pairs for a pair
+
+/// At least r + growth over the reals: the sum loses at most 2^-24 of itself, the factor adds more.
+/// Monotone in both. growth >= 2^-60.
+inline float grown_radius(float r, float growth) { return (r + growth) * kRadiusGrowth; }
+
 /// What Counts::plan_violation says where they no longer hold.
 inline constexpr const char* kFactsBroken =
     "the spheres have left the box or the range of radii that the plan rests on";
@@ -89,6 +102,7 @@ struct Plan {
   Skips taken;                   // what this plan leaves out
   bool nothing_to_find = false;  // by their flags no two spheres may collide; stage 1 checks it
   bool moving = false;           // updates will come: what a frame leaves may serve the next
+  SkinCells skin;                // of method half_shell, where frames move
   bool count_only = false;       // keep count and checksum, store no pairs
   /// Pair tests are not started when more candidates than this are counted beforehand.
   std::uint64_t candidate_limit = ~std::uint64_t{0};
@@ -108,6 +122,8 @@ struct Counts {
   std::uint64_t pairs = 0;
   bool over_candidate_limit = false;
   Skips used;  // what the data allowed to leave out in this run; the plan has its own
+  /// What spared this frame a search of all spheres; none: it had one.
+  std::optional<Skip> served_by = {};
   /// Set when a fact of the plan, or a condition of its rule, does not hold for the data.
   std::optional<std::string> plan_violation = {};
 };

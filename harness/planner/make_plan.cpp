@@ -57,9 +57,11 @@ void choose_cells(Plan& plan, const SceneStats& stats, const PlanOptions& option
     plan.levels = cheapest_levels(stats, options.allowed, options.costs,
                                   options.forced.has(Skip::wide_cells) ? 2 : 1);
     plan.key_bits = key_bits_of(plan.levels);
+    const bool may_reuse = options.moving && !options.count_only;
+    if (may_reuse) plan.skin = skin_cells(stats, options.allowed, options.costs);
   }
   if (plan.method != Method::brute_force && !options.allowed.has(Skip::key_bits)) {
-    plan.key_bits = kIdBits;
+    plan.key_bits = plan.skin.key_bits = kIdBits;
   }
 }
 

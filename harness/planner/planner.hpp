@@ -89,6 +89,11 @@ Level make_level(const PlanFacts& facts, float r_max, double cell_side, std::uin
 Levels cheapest_levels(const SceneStats& stats, Skips allowed = Skips::all(),
                        const Costs& costs = {}, std::size_t least_levels = 1);
 
+/// For frames that move: cells of half_shell for spheres that have grown by a part of the mean
+/// radius. None (growth 0) where radii would leave the range in which growing is exact.
+SkinCells skin_cells(const SceneStats& stats, Skips allowed = Skips::all(),
+                     const Costs& costs = {});
+
 /// Nanoseconds that half_shell is expected to take with them.
 double estimate_cost(const SceneStats& stats, const Levels& levels, int key_bits,
                      const Costs& costs);

@@ -16,6 +16,8 @@ namespace octocell {
 namespace {
 
 constexpr double kStep = 0.0577;        // of the radius: at most 0.1 radii in three dimensions
+constexpr double kSlowStep = kStep / 10.0;
+constexpr double kFewMove = 0.1;        // of all spheres
 constexpr double kAcceleration = 0.02;  // of the largest radius, a frame and frame
 constexpr double kRestitution = 0.5;
 
@@ -53,13 +55,26 @@ double reflect(double value, double low, double high) {
   return std::clamp(value, low, high);
 }
 
-void step_brownian(World& world, const std::vector<Sphere>& radii, Random& random) {
+/// `longest`: the step along an axis, in radii.
+void jostle(World& world, std::size_t i, double longest, float radius, Random& random) {
+  for (int a = 0; a < 3; ++a) {
+    const double step = (2.0 * random.uniform() - 1.0) * longest * radius;
+    double& p = world.bodies[i].position[a];
+    p = reflect(p + step, world.lowest[a], world.highest[a]);
+  }
+}
+
+void step_brownian(World& world, const std::vector<Sphere>& radii, double step, Random& random) {
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    for (int a = 0; a < 3; ++a) {
-      const double step = (2.0 * random.uniform() - 1.0) * kStep * radii[i].r;
-      double& p = world.bodies[i].position[a];
-      p = reflect(p + step, world.lowest[a], world.highest[a]);
-    }
+    jostle(world, i, step, radii[i].r, random);
+  }
+}
+
+/// Draws the few anew from the same seed in every frame, so that they stay the same.
+void step_few(World& world, const std::vector<Sphere>& radii, std::uint64_t seed, Random& random) {
+  Random draw(~seed);
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    if (draw.uniform() < kFewMove) jostle(world, i, kStep, radii[i].r, random);
   }
 }
 
@@ -125,13 +140,21 @@ Frames move(const std::vector<Sphere>& start, Motion motion, int count, std::uin
   while (static_cast<int>(frames.size()) < count) {
     switch (motion) {
       case Motion::brownian:
-        step_brownian(world, start, random);
+        step_brownian(world, start, kStep, random);
         break;
       case Motion::free_fall:
         step_free_fall(world);
         break;
       case Motion::gravity:
         step_gravity(world);
+        break;
+      case Motion::slow:
+        step_brownian(world, start, kSlowStep, random);
+        break;
+      case Motion::few:
+        step_few(world, start, seed, random);
+        break;
+      case Motion::still:
         break;
     }
     frames.push_back(snapshot(world, start, flags));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scenes that move: the three motions customary in broad-phase benchmarks, and recorded frames.
+// Scenes that move: the three motions customary in broad-phase benchmarks, three in which
+// little happens, and recorded frames.
 #pragma once
 
 #include <array>
@@ -12,9 +13,9 @@
 
 namespace octocell {
 
-enum class Motion : std::uint8_t { brownian, free_fall, gravity };
-inline constexpr std::array<std::string_view, 3> kMotionNames = {"brownian", "free_fall",
-                                                                 "gravity"};
+enum class Motion : std::uint8_t { brownian, free_fall, gravity, slow, few, still };
+inline constexpr std::array<std::string_view, 6> kMotionNames = {"brownian", "free_fall", "gravity",
+                                                                 "slow",     "few",       "still"};
 
 /// The motion of that name. Throws InputError listing what is known.
 Motion motion_named(std::string_view name);
@@ -27,6 +28,9 @@ using Frames = std::vector<std::vector<Sphere>>;
 ///   brownian   independent uniform steps; walls of the starting box reflect
 ///   free_fall  constant acceleration down the z axis; the floor returns half of the speed
 ///   gravity    constant acceleration towards the middle of the starting box
+///   slow       brownian with a tenth of the step
+///   few        brownian, but only for a tenth of the spheres, the same in every frame
+///   still      nothing moves
 /// Spheres pass through one another: a broad phase reports pairs, it does not resolve them. One
 /// that is static stays where it is, and the others move as if there were no flags.
 Frames move(const std::vector<Sphere>& start, Motion motion, int count, std::uint64_t seed,

@@ -16,7 +16,9 @@ static_assert(OrderedSpheres::kMargin >= kLanes && OrderedSpheres::kMargin >= kP
 template <Band band>
 class Hits {
  public:
-  explicit Hits(Workspace& w) : o_(w.ordered), sink_(w) {}
+  /// Those in the lanes, and those that come one by one, may be of two structures.
+  Hits(Workspace& w, const OrderedSpheres& in_lanes, const OrderedSpheres& one_by_one)
+      : in_lanes_(in_lanes), one_by_one_(one_by_one), sink_(w) {}
   Hits(const Hits&) = delete;
   Hits& operator=(const Hits&) = delete;
   ~Hits() { decide(); }
@@ -38,7 +40,9 @@ class Hits {
   }
 
   void add(std::uint32_t begin, const LaneMask& found, std::uint32_t sphere) {
-    const LaneBits bits = bits_of(found);
+    add(begin, bits_of(found), sphere);
+  }
+  void add(std::uint32_t begin, LaneBits bits, std::uint32_t sphere) {
     spheres_[count_] = std::uint64_t{begin} << 32 | sphere;
     lanes_[count_] = bits;
     count_ += bits != 0 ? 1 : 0;
@@ -52,8 +56,9 @@ class Hits {
   template <typename Which>
   void look_through(std::uint32_t begin, const Lanes& lanes, Run run, const Which& which) {
     if (count_ + kMostAtOnce > kRoom) decide();
-    count_ = note(lanes.x, lanes.y, lanes.z, lanes.r, o_.x.data(), o_.y.data(), o_.z.data(),
-                  o_.r.data(), std::uint64_t{begin} << 32, run, which, count_);
+    const OrderedSpheres& o = one_by_one_;
+    count_ = note(lanes.x, lanes.y, lanes.z, lanes.r, o.x.data(), o.y.data(), o.z.data(),
+                  o.r.data(), std::uint64_t{begin} << 32, run, which, count_);
   }
 
   /// The inner loop of everything. A function of its own, whose arguments fit into registers.
@@ -81,17 +86,18 @@ class Hits {
     for (std::uint32_t k = 0; k < count_; ++k) {
       const auto sphere = static_cast<std::uint32_t>(spheres_[k]);
       const auto begin = static_cast<std::uint32_t>(spheres_[k] >> 32);
-      const Sphere other = o_.at(sphere);
-      const std::uint32_t other_id = o_.sphere[sphere];
+      const Sphere other = one_by_one_.at(sphere);
+      const std::uint32_t other_id = one_by_one_.sphere[sphere];
       for_each_lane(lanes_[k], [&](std::uint32_t lane) {
         const std::uint32_t i = begin + lane;
-        sink_.take<band>(o_.at(i), o_.sphere[i], other, other_id);
+        sink_.take<band>(in_lanes_.at(i), in_lanes_.sphere[i], other, other_id);
       });
     }
     count_ = 0;
   }
 
-  const OrderedSpheres& o_;
+  const OrderedSpheres& in_lanes_;
+  const OrderedSpheres& one_by_one_;
   PairSink sink_;
   std::uint32_t count_ = 0;
   std::uint64_t spheres_[kRoom];  // the first of the lanes, and the sphere

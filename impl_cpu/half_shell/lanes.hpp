@@ -53,7 +53,8 @@ struct Lanes {
 
 /// One bit a lane, the first lowest.
 using LaneBits = std::uint16_t;
-inline LaneBits bits_of(const LaneMask& mask) {
+template <typename Mask>
+LaneBits bits_of(const Mask& mask) {
   return static_cast<LaneBits>(mask.__to_bitset().to_ulong());  // libstdc++'s, for want of a better
 }
 inline LaneBits first_bits(std::uint32_t count) {

@@ -13,7 +13,9 @@
 
 #include "impl_cpu/half_shell/half_shell.hpp"
 #include "impl_cpu/half_shell/hits.hpp"
+#include "impl_cpu/half_shell/other_rows.hpp"
 #include "impl_cpu/half_shell/row_cursor.hpp"
+#include "impl_cpu/half_shell/steps.hpp"
 
 namespace octocell::cpu::half_shell {
 namespace {
@@ -28,28 +30,19 @@ struct Step {
 };
 constexpr Step kHalfShell[] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}};
 
-/// None behind the border of an axis that does not wrap.
-std::optional<std::uint32_t> step_along(const Grid& grid, int axis, std::uint32_t at, int step) {
-  if (step == 0) return at;
-  const std::uint32_t last = grid.period(axis) - 1;
-  const bool at_border = at == (step < 0 ? 0 : last);
-  if (!at_border) return at + static_cast<std::uint32_t>(step);
-  if (!grid.wraps(axis)) return std::nullopt;
-  return step < 0 ? last : 0;
-}
-
-/// One thread's work on one level.
+/// One thread's work on one level: its spheres among themselves, or against those of others.
 template <Band band>
 class LevelTester {
  public:
-  LevelTester(Workspace& w, int level)
-      : o_(w.ordered),
-        ids_(w.ordered.column_ids),
+  LevelTester(Workspace& w, const OrderedSpheres& spheres, const OrderedSpheres& others, int level)
+      : o_(spheres),
+        others_(others),
+        ids_(spheres.column_ids),
         level_(w.plan.levels.level[level]),
         grid_(level_.grid),
         rows_(o_.rows.data() + o_.level_rows[level], o_.rows.data() + o_.level_rows[level + 1]),
         limit_(w.plan.candidate_limit),
-        hits_(w) {}
+        hits_(w, spheres, others) {}
 
   [[nodiscard]] std::uint64_t candidates() const { return candidates_; }
 
@@ -75,9 +68,9 @@ class LevelTester {
     }
   }
 
-  /// A sphere of a coarser level against what its box holds of this one.
+  /// One of the others, which is of another level, against what its box holds of this one.
   void test_box(std::uint32_t sphere) {
-    const Sphere s = o_.at(sphere);
+    const Sphere s = others_.at(sphere);
     const float reach = std::nextafter(s.r + level_.r_max, HUGE_VALF);
     const CellRange box = cells_met(grid_, s, reach);
     for_each_z(box, [&](std::uint64_t first_id, std::uint64_t last_id) {
@@ -221,6 +214,7 @@ class LevelTester {
   }
 
   const OrderedSpheres& o_;
+  const OrderedSpheres& others_;  // as a rule the same
   const std::uint32_t* const ids_;
   const Level& level_;
   const Grid& grid_;
@@ -230,40 +224,67 @@ class LevelTester {
   std::uint64_t candidates_ = 0;
 };
 
-/// Calls work(tester, begin, end) for blocks of the spheres [begin, end) until there are too many
-/// candidates.
-template <Band band, typename Work>
-void for_spheres(Workspace& w, int level, Run spheres, std::uint64_t block,
+/// Calls work(begin, end) for blocks of the spheres; it returns the candidates that it met. No more
+/// blocks once there are too many.
+template <typename Work>
+void for_spheres(Workspace& w, Run spheres, std::uint64_t block,
                  std::atomic<std::uint64_t>& candidates, const Work& work) {
-  w.threads->for_blocks(spheres.end - spheres.begin, block,
-                        [&](std::uint64_t begin, std::uint64_t end) {
-                          if (candidates.load(std::memory_order_relaxed) > w.plan.candidate_limit)
-                            return;
-                          LevelTester<band> tester(w, level);
-                          work(tester, spheres.begin + static_cast<std::uint32_t>(begin),
-                               spheres.begin + static_cast<std::uint32_t>(end));
-                          candidates.fetch_add(tester.candidates(), std::memory_order_relaxed);
-                        });
+  w.threads->for_blocks(
+      spheres.end - spheres.begin, block, [&](std::uint64_t begin, std::uint64_t end) {
+        if (candidates.load(std::memory_order_relaxed) > w.plan.candidate_limit) return;
+        candidates.fetch_add(work(spheres.begin + static_cast<std::uint32_t>(begin),
+                                  spheres.begin + static_cast<std::uint32_t>(end)),
+                             std::memory_order_relaxed);
+      });
 }
 
-Run spheres_of(const Workspace& w, int level) {
-  const OrderedSpheres& o = w.ordered;
+Run spheres_of(const OrderedSpheres& o, int level) {
   return {o.rows[o.level_rows[level]].begin, o.rows[o.level_rows[level + 1]].begin};
 }
 
+/// Those of `others` that are of one level against the spheres of another.
 template <Band band>
-std::uint64_t test_levels(Workspace& w) {
+void test_boxes(Workspace& w, const OrderedSpheres& spheres, int level,
+                const OrderedSpheres& others, int level_of_others,
+                std::atomic<std::uint64_t>& candidates) {
+  for_spheres(w, spheres_of(others, level_of_others), kBoxesPerBlock, candidates,
+              [&](std::uint32_t begin, std::uint32_t end) {
+                LevelTester<band> tester(w, spheres, others, level);
+                for (std::uint32_t s = begin; s < end; ++s) tester.test_box(s);
+                return tester.candidates();
+              });
+}
+
+template <Band band>
+std::uint64_t test_all(Workspace& w, const OrderedSpheres& spheres) {
   std::atomic<std::uint64_t> candidates = 0;
   for (int level = 0; level < w.plan.levels.count; ++level) {
-    for_spheres<band>(w, level, spheres_of(w, level), kSweptPerBlock, candidates,
-                      [](LevelTester<band>& tester, std::uint32_t begin, std::uint32_t end) {
-                        tester.sweep(begin, end);
-                      });
+    for_spheres(w, spheres_of(spheres, level), kSweptPerBlock, candidates,
+                [&](std::uint32_t begin, std::uint32_t end) {
+                  LevelTester<band> tester(w, spheres, spheres, level);
+                  tester.sweep(begin, end);
+                  return tester.candidates();
+                });
     for (int coarser = level + 1; coarser < w.plan.levels.count; ++coarser) {
-      for_spheres<band>(w, level, spheres_of(w, coarser), kBoxesPerBlock, candidates,
-                        [](LevelTester<band>& tester, std::uint32_t begin, std::uint32_t end) {
-                          for (std::uint32_t s = begin; s < end; ++s) tester.test_box(s);
-                        });
+      test_boxes<band>(w, spheres, level, spheres, coarser, candidates);
+    }
+  }
+  return candidates.load();
+}
+
+template <Band band>
+std::uint64_t test_against(Workspace& w, const OrderedSpheres& spheres,
+                           const OrderedSpheres& others) {
+  std::atomic<std::uint64_t> candidates = 0;
+  for (int level = 0; level < w.plan.levels.count; ++level) {
+    for_spheres(w, spheres_of(others, level), kSweptPerBlock, candidates,
+                [&](std::uint32_t begin, std::uint32_t end) {
+                  OtherRows<band> tester(w, spheres, others, level);
+                  tester.sweep(begin, end);
+                  return tester.candidates();
+                });
+    for (int other = 0; other < w.plan.levels.count; ++other) {
+      if (other != level) test_boxes<band>(w, spheres, level, others, other, candidates);
     }
   }
   return candidates.load();
@@ -273,8 +294,18 @@ std::uint64_t test_levels(Workspace& w) {
 
 void pair_tests(Workspace& w) {
   if (w.id_count == 0) return;
-  w.candidates =
-      w.plan.band == Band::fast ? test_levels<Band::fast>(w) : test_levels<Band::safe>(w);
+  w.candidates = test_among(w, w.ordered);
+}
+
+std::uint64_t test_among(Workspace& w, const OrderedSpheres& spheres) {
+  if (w.plan.band == Band::fast) return test_all<Band::fast>(w, spheres);
+  return test_all<Band::safe>(w, spheres);
+}
+
+std::uint64_t test_between(Workspace& w, const OrderedSpheres& spheres,
+                           const OrderedSpheres& others) {
+  if (w.plan.band == Band::fast) return test_against<Band::fast>(w, spheres, others);
+  return test_against<Band::safe>(w, spheres, others);
 }
 
 }  // namespace octocell::cpu::half_shell

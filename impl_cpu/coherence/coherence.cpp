@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "impl_cpu/coherence/coherence.hpp"
+
+namespace octocell::cpu::coherence {
+namespace {
+
+/// Below this share of spheres that stand still, looking at all of them is not worth its time.
+constexpr float kMostlyStill = 0.75F;
+
+bool has_all_pairs(const Workspace& w) {
+  return w.may_test_pairs() && w.pairs.size() <= w.plan.capacity.pairs &&
+         w.doubts.size() <= w.plan.capacity.doubts;
+}
+
+/// Not in a frame of another number of spheres.
+bool is_planned(const Workspace& w) { return w.scene.spheres.size() == w.plan.facts.sphere_count; }
+
+}  // namespace
+
+void Coherence::reset(const Workspace& w) {
+  const Plan& plan = w.plan;
+  const std::uint64_t count = w.scene.spheres.size();
+  is_used_ = plan.moving && plan.method == Method::half_shell && !plan.count_only &&
+             !plan.nothing_to_find;
+  course_ = Course::everything;
+  forget();
+  if (!is_used_) return;
+  sample_.reset(count);
+  kept_.allocate(count);
+  movers_.allocate(w);
+  changed_.allocate(movers_.most());
+  near_.allocate(w);
+  skin_.reset(plan.skin.growth);
+}
+
+bool Coherence::nothing_changed(Workspace& w) {
+  course_ = Course::everything;
+  motion_.reset();
+  changes_are_listed_ = false;
+  if (!is_used_ || !is_planned(w)) return false;
+  motion_ = sample_.observe(w.scene);
+  list_changed(w);
+  if (!changes_are_listed_ || changed_.size() != 0 || !w.plan.allowed.has(Skip::unchanged)) {
+    return false;
+  }
+  course_ = Course::nothing;
+  w.candidates = 0;
+  w.doubts.clear();
+  return true;
+}
+
+void Coherence::choose_course(Workspace& w) {
+  if (!is_used_) return;
+  if (w.violation || !is_planned(w)) return forget();
+  if (repair(w)) return;
+  kept_.forget();
+  movers_.forget();
+  if (copy_pays(w.plan.allowed)) kept_.keep(w.scene, *w.threads);
+  if (reuse_list(w) || make_list(w)) return;
+  movers_.start_anew();
+}
+
+Workspace& Coherence::ordered_now(Workspace& w) {
+  if (course_ == Course::movers) return movers_.workspace();
+  if (course_ == Course::new_list) return near_.workspace();
+  return w;
+}
+
+void Coherence::pair_tests(Workspace& w) {
+  if (course_ == Course::movers) return movers_.find_pairs(w);
+  if (course_ == Course::new_list) return search_with_skin(w);
+  if (course_ == Course::near_pairs) return near_.decide(w);
+  cpu::pair_tests(w);
+}
+
+void Coherence::remember(const Workspace& w) {
+  if (is_used_ && !has_all_pairs(w)) forget();
+}
+
+bool Coherence::runs(Stage stage) const {
+  if (course_ == Course::nothing) return stage == Stage::bounds;
+  const bool puts_in_order = stage >= Stage::cell_ids && stage <= Stage::cell_index;
+  return course_ != Course::near_pairs || !puts_in_order;
+}
+
+std::optional<Skip> Coherence::served_by() const {
+  switch (course_) {
+    case Course::everything:
+    case Course::new_list:
+      break;
+    case Course::nothing:
+      return Skip::unchanged;
+    case Course::movers:
+      return Skip::few_movers;
+    case Course::near_pairs:
+      return Skip::skin;
+  }
+  return std::nullopt;
+}
+
+void Coherence::forget() {
+  kept_.forget();
+  movers_.forget();
+  near_.forget();
+}
+
+/// The first frame is given the benefit of the doubt.
+bool Coherence::mostly_still() const { return !motion_ || motion_->still_share >= kMostlyStill; }
+
+/// Whether the next frame may be spared something by a copy of this one.
+bool Coherence::copy_pays(Skips allowed) const {
+  if (repairs_pay(allowed)) return true;
+  return allowed.has(Skip::unchanged) && (!motion_ || motion_->still_share == 1.0F);
+}
+
+bool Coherence::repairs_pay(Skips allowed) const {
+  return allowed.has(Skip::few_movers) && mostly_still();
+}
+
+/// Against the copy, if there is one and it looks worth while; of as many as can be of use.
+void Coherence::list_changed(const Workspace& w) {
+  const Skips allowed = w.plan.allowed;
+  const bool may_repair = allowed.has(Skip::few_movers) && movers_.others_stand();
+  const bool is_of_use = allowed.has(Skip::unchanged) || may_repair;
+  if (!is_of_use || !kept_.is_kept() || !mostly_still()) return;
+  const std::uint64_t most = may_repair ? movers_.most() : 0;
+  kept_.list_changed(w.scene, *w.threads, most, changed_);
+  changes_are_listed_ = changed_.size() <= most;
+}
+
+/// False: there is nothing that stands, or too little.
+bool Coherence::repair(Workspace& w) {
+  const bool may_repair = w.plan.allowed.has(Skip::few_movers) && movers_.others_stand();
+  if (!may_repair || !changes_are_listed_ || !movers_.add(changed_.items())) return false;
+  course_ = Course::movers;
+  kept_.keep(w.scene, changed_.items());
+  movers_.gather(w);
+  return true;
+}
+
+/// Where most stand still, what they do not need is worth more.
+bool Coherence::reuse_list(Workspace& w) {
+  if (!near_.are_known() || repairs_pay(w.plan.allowed)) return false;
+  if (!near_.still_hold(w)) {
+    near_.forget();
+    skin_.left();
+    return false;
+  }
+  course_ = Course::near_pairs;
+  skin_.served();
+  return true;
+}
+
+bool Coherence::make_list(Workspace& w) {
+  const bool may = w.plan.allowed.has(Skip::skin) && w.plan.skin.growth > 0.0F;
+  if (!may || !motion_ || repairs_pay(w.plan.allowed)) return false;
+  const std::optional<float> half_skin = skin_.half_skin_for(*motion_);
+  if (!half_skin) return false;
+  course_ = Course::new_list;
+  near_.grow(w, *half_skin);
+  skin_.made(*half_skin, *motion_);
+  return true;
+}
+
+/// A list that is too long is no answer; then everything is searched after all.
+void Coherence::search_with_skin(Workspace& w) {
+  if (near_.find(w)) return;
+  skin_.left();
+  w.candidates = 0;
+  cpu::cell_ids(w);
+  cpu::sort(w);
+  cpu::cell_index(w);
+  cpu::pair_tests(w);
+}
+
+}  // namespace octocell::cpu::coherence

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// What one frame may take over from the last (docs/decisions/0016-frame-coherence.md).
+#pragma once
+
+#include "harness/interface/stage.hpp"
+#include "impl_cpu/coherence/kept_copy.hpp"
+#include "impl_cpu/coherence/motion_sample.hpp"
+#include "impl_cpu/coherence/movers.hpp"
+#include "impl_cpu/coherence/near_pairs.hpp"
+#include "impl_cpu/coherence/skin_width.hpp"
+#include "impl_cpu/stages.hpp"
+
+namespace octocell::cpu::coherence {
+
+/// What a frame does.
+enum class Course : std::uint8_t {
+  everything,  // as if there had been no frame before
+  nothing,     // no sphere has changed: the pairs stand
+  movers,      // pairs of spheres that have not moved stand
+  new_list,    // everything, with a skin: near pairs are found, and of them those that overlap
+  near_pairs,  // no sphere has left the skin: pairs are among the near ones
+};
+
+/// For plans that move, with method half_shell, that store their pairs; for others it does nothing.
+class Coherence {
+ public:
+  /// Another plan: nothing is known any more.
+  void reset(const Workspace& w);
+  /// Something else than spheres has changed.
+  void forget();
+
+  /// Before stage 1. True: all spheres are those whose pairs w holds; nothing remains to be done.
+  bool nothing_changed(Workspace& w);
+  /// After stage 1.
+  void choose_course(Workspace& w);
+  /// What stages 2 to 4 work on.
+  Workspace& ordered_now(Workspace& w);
+  /// Stage 5.
+  void pair_tests(Workspace& w);
+  /// After stage 6.
+  void remember(const Workspace& w);
+
+  [[nodiscard]] bool runs(Stage stage) const;
+  [[nodiscard]] std::optional<Skip> served_by() const;
+
+ private:
+  [[nodiscard]] bool mostly_still() const;
+  [[nodiscard]] bool copy_pays(Skips allowed) const;
+  [[nodiscard]] bool repairs_pay(Skips allowed) const;
+  void list_changed(const Workspace& w);
+  bool repair(Workspace& w);
+  bool reuse_list(Workspace& w);
+  bool make_list(Workspace& w);
+  void search_with_skin(Workspace& w);
+
+  bool is_used_ = false;
+  Course course_ = Course::everything;
+  MotionSample sample_;
+  std::optional<Motion> motion_;
+  KeptCopy kept_;
+  bool changes_are_listed_ = false;
+  SharedList<std::uint32_t> changed_;  // since the frame before
+  Movers movers_;
+  NearPairs near_;
+  SkinWidth skin_;
+};
+
+}  // namespace octocell::cpu::coherence

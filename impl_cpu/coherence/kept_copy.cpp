@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "impl_cpu/coherence/kept_copy.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace octocell::cpu::coherence {
+namespace {
+
+constexpr std::uint64_t kSpheresPerBlock = 4096;
+
+/// The two halves of a sphere, compared without a branch.
+bool differ(const Sphere& a, const Sphere& b) {
+  std::array<std::uint64_t, 2> x;
+  std::array<std::uint64_t, 2> y;
+  std::memcpy(x.data(), &a, sizeof a);
+  std::memcpy(y.data(), &b, sizeof b);
+  return ((x[0] ^ y[0]) | (x[1] ^ y[1])) != 0;
+}
+
+}  // namespace
+
+void KeptCopy::keep(SceneView scene, Threads& threads) {
+  const Sphere* const spheres = scene.spheres.data();
+  threads.for_blocks(
+      scene.spheres.size(), kSpheresPerBlock, [&](std::uint64_t begin, std::uint64_t end) {
+        std::memcpy(copy_.data() + begin, spheres + begin, (end - begin) * sizeof(Sphere));
+      });
+  is_kept_ = true;
+}
+
+void KeptCopy::keep(SceneView scene, std::span<const std::uint32_t> changed) {
+  for (const std::uint32_t i : changed) copy_[i] = scene.spheres[i];
+}
+
+void KeptCopy::list_changed(SceneView scene, Threads& threads, std::uint64_t most,
+                            SharedList<std::uint32_t>& changed) const {
+  changed.clear();
+  const Sphere* const spheres = scene.spheres.data();
+  const auto per_block = [&](std::uint64_t begin, std::uint64_t end) {
+    if (changed.size() > most) return;
+    const std::size_t bytes = (end - begin) * sizeof(Sphere);
+    if (std::memcmp(copy_.data() + begin, spheres + begin, bytes) == 0) return;
+    std::array<std::uint32_t, kSpheresPerBlock> found;
+    std::size_t count = 0;
+    for (std::uint64_t i = begin; i < end; ++i) {
+      found[count] = static_cast<std::uint32_t>(i);
+      count += differ(copy_[i], spheres[i]) ? 1 : 0;
+    }
+    changed.append({found.data(), count});
+  };
+  threads.for_blocks(scene.spheres.size(), kSpheresPerBlock, per_block);
+}
+
+}  // namespace octocell::cpu::coherence

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "impl_cpu/coherence/near_pairs.hpp"
+
+#include <array>
+#include <atomic>
+#include <bit>
+#include <numeric>
+
+#include "impl_cpu/half_shell/half_shell.hpp"
+#include "impl_cpu/pair_sink.hpp"
+
+namespace octocell::cpu::coherence {
+namespace {
+
+constexpr std::uint64_t kSpheresPerBlock = 1 << 13;
+constexpr std::uint64_t kPairsPerBlock = 1 << 12;
+constexpr std::uint64_t kPrefetchAhead = 32;
+constexpr std::uint64_t kMostPerPair = 2;  // near pairs, for each pair that there is room for
+
+bool same_radius(const Sphere& a, const Sphere& b) {
+  return std::bit_cast<std::uint32_t>(a.r) == std::bit_cast<std::uint32_t>(b.r);
+}
+
+template <Band band>
+Sphere with_band_radius(const Sphere& s) {
+  return {s.x, s.y, s.z, band_radius<band>(s.r)};
+}
+
+}  // namespace
+
+void NearPairs::allocate(const Workspace& whole) {
+  const std::uint64_t count = whole.scene.spheres.size();
+  const SkinCells& cells = whole.plan.skin;
+  are_known_ = false;
+  if (cells.growth == 0.0F) return;
+  grown_.plan = whole.plan;
+  grown_.plan.levels = cells.levels;
+  grown_.plan.key_bits = cells.key_bits;
+  grown_.plan.band = Band::safe;  // grown radii may leave the range that the plan has seen
+  grown_.threads = whole.threads;
+  for (IdArrays& ids : grown_.ids) ids.allocate(count);
+  grown_.ordered.allocate(count);
+  grown_.rows_of_block.resize(count / half_shell::kIndexedPerBlock + 1);
+  grown_.pairs.allocate(kMostPerPair * whole.plan.capacity.pairs);
+  grown_.doubts.allocate(whole.plan.capacity.pairs);
+  for (Buffer<Sphere>* spheres : {&spheres_, &then_, &now_}) spheres->allocate(count);
+}
+
+void NearPairs::grow(const Workspace& whole, float half_skin) {
+  const std::span<const Sphere> spheres = whole.scene.spheres;
+  are_known_ = false;
+  half_skin_ = half_skin;
+  whole.threads->for_blocks(spheres.size(), kSpheresPerBlock,
+                            [&](std::uint64_t begin, std::uint64_t end) {
+                              for (std::uint64_t i = begin; i < end; ++i) {
+                                const Sphere& s = spheres[i];
+                                spheres_[i] = {s.x, s.y, s.z, grown_radius(s.r, half_skin)};
+                              }
+                            });
+  grown_.scene.spheres = {spheres_.data(), spheres.size()};
+  grown_.candidates = 0;
+}
+
+bool NearPairs::find(Workspace& whole) {
+  const std::uint64_t count = whole.scene.spheres.size();
+  std::uint32_t* const numbers = grown_.ordered.sphere.data();
+  std::iota(numbers, numbers + count, 0U);
+  cpu::pair_tests(grown_);
+  const bool complete = grown_.pairs.complete() && grown_.doubts.complete();
+  are_known_ = complete && grown_.candidates + size() <= whole.plan.candidate_limit;
+  if (!are_known_) return false;
+  fetch_then(whole);
+  decide(whole);
+  whole.candidates += grown_.candidates;
+  return true;
+}
+
+void NearPairs::fetch_then(const Workspace& whole) {
+  const Sphere* const spheres = whole.scene.spheres.data();
+  const std::uint64_t last = whole.scene.spheres.size() - 1;
+  whole.threads->for_blocks(
+      last + 1, kSpheresPerBlock, [&](std::uint64_t begin, std::uint64_t end) {
+        for (std::uint64_t k = begin; k < end; ++k) {
+          __builtin_prefetch(&spheres[order()[std::min(k + kPrefetchAhead, last)]]);
+          then_[k] = now_[k] = spheres[order()[k]];
+        }
+      });
+}
+
+/// Asked of the predicate itself: is the point within the ball of half the skin?
+bool NearPairs::is_within_reach(const Sphere& then, const Sphere& now) const {
+  return same_radius(then, now) &&
+         overlap_exact({then.x, then.y, then.z, half_skin_}, {now.x, now.y, now.z, 0.0F});
+}
+
+/// Float32 is certain of nearly all; the others are asked for one by one.
+bool NearPairs::fetch(const Workspace& whole, std::uint64_t begin, std::uint64_t end) {
+  const Sphere* const spheres = whole.scene.spheres.data();
+  const std::uint64_t last = whole.scene.spheres.size() - 1;
+  const float ball = band_radius<Band::safe>(half_skin_);
+  const float point = band_radius<Band::safe>(0.0F);
+  bool sure = true;
+  for (std::uint64_t k = begin; k < end; ++k) {
+    __builtin_prefetch(&spheres[order()[std::min(k + kPrefetchAhead, last)]]);
+    const Sphere s = spheres[order()[k]];
+    const Sphere& t = then_[k];
+    now_[k] = s;
+    sure &= same_radius(s, t);
+    sure &= band_is_sure<Band::safe>({t.x, t.y, t.z, ball}, {s.x, s.y, s.z, point});
+  }
+  for (std::uint64_t k = begin; !sure && k < end; ++k) {
+    if (!is_within_reach(then_[k], now_[k])) return false;
+  }
+  return true;
+}
+
+bool NearPairs::still_hold(const Workspace& whole) {
+  std::atomic<bool> hold = true;
+  whole.threads->for_blocks(whole.scene.spheres.size(), kSpheresPerBlock,
+                            [&](std::uint64_t begin, std::uint64_t end) {
+                              if (!hold.load(std::memory_order_relaxed)) return;
+                              if (!fetch(whole, begin, end)) hold = false;
+                            });
+  return hold;
+}
+
+/// Whether a near pair overlaps is anybody's guess, so candidates are picked without a branch.
+template <Band band>
+void NearPairs::decide_block(Workspace& whole, std::span<const Pair> near) const {
+  std::array<std::uint32_t, kPairsPerBlock> picked;
+  std::size_t count = 0;
+  for (std::uint32_t k = 0; k < near.size(); ++k) {
+    const Sphere a = with_band_radius<band>(now_[near[k].i]);
+    const Sphere b = with_band_radius<band>(now_[near[k].j]);
+    picked[count] = k;
+    count += band_may_overlap(a, b) ? 1 : 0;
+  }
+  PairSink sink(whole);
+  for (std::size_t n = 0; n < count; ++n) {
+    const Pair pair = near[picked[n]];
+    sink.take<band>(with_band_radius<band>(now_[pair.i]), order()[pair.i],
+                    with_band_radius<band>(now_[pair.j]), order()[pair.j]);
+  }
+}
+
+template <Band band>
+void NearPairs::decide_all(Workspace& whole) const {
+  const std::span<const Pair> lists[] = {grown_.pairs.items(), grown_.doubts.items()};
+  for (const std::span<const Pair> near : lists) {
+    whole.threads->for_blocks(near.size(), kPairsPerBlock,
+                              [&](std::uint64_t begin, std::uint64_t end) {
+                                decide_block<band>(whole, near.subspan(begin, end - begin));
+                              });
+  }
+}
+
+void NearPairs::decide(Workspace& whole) const {
+  whole.pairs.clear(false);
+  whole.doubts.clear();
+  whole.candidates = size();
+  if (whole.plan.band == Band::fast) return decide_all<Band::fast>(whole);
+  decide_all<Band::safe>(whole);
+}
+
+}  // namespace octocell::cpu::coherence

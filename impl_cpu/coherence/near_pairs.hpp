@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "impl_cpu/stages.hpp"
+
+namespace octocell::cpu::coherence {
+
+/// A list of near pairs (Verlet 1967, Computer "experiments" on classical fluids): those that would
+/// overlap if every radius were larger by h, half of the skin. As long as no sphere is further than
+/// h from where it was then, and no radius has changed, pairs that overlap are among them:
+/// |p - q| <= r + r' now implies |p - q| <= (r + h) + (r' + h) then.
+class NearPairs {
+ public:
+  void allocate(const Workspace& whole);
+  [[nodiscard]] bool are_known() const { return are_known_; }
+  void forget() { are_known_ = false; }
+
+  /// What stages 2 to 4 work on: all spheres, grown by half the skin.
+  void grow(const Workspace& whole, float half_skin);
+  Workspace& workspace() { return grown_; }
+
+  /// Stage 5, the search. False: the list is too long to be of use.
+  bool find(Workspace& whole);
+
+  /// Stage 1, of later frames: fetches the spheres, and proves that the list still holds.
+  bool still_hold(const Workspace& whole);
+
+  /// Stage 5: which near pairs overlap now?
+  void decide(Workspace& whole) const;
+
+ private:
+  [[nodiscard]] bool is_within_reach(const Sphere& then, const Sphere& now) const;
+  void fetch_then(const Workspace& whole);
+  bool fetch(const Workspace& whole, std::uint64_t begin, std::uint64_t end);
+  template <Band band>
+  void decide_block(Workspace& whole, std::span<const Pair> near) const;
+  template <Band band>
+  void decide_all(Workspace& whole) const;
+  [[nodiscard]] const Object* order() const { return grown_.ids[grown_.current].objects.data(); }
+  [[nodiscard]] std::uint64_t size() const { return grown_.pairs.size() + grown_.doubts.size(); }
+
+  bool are_known_ = false;
+  float half_skin_ = 0.0F;
+  Buffer<Sphere> spheres_;  // grown
+  Workspace grown_;         // its pairs are numbers in the order of the columns: neighbours in
+                            // space are neighbours in memory
+  Buffer<Sphere> then_;     // in that order, as they were when the list was made
+  Buffer<Sphere> now_;
+};
+
+}  // namespace octocell::cpu::coherence

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "impl_cpu/coherence/skin_width.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/interface/plan.hpp"
+
+namespace octocell::cpu::coherence {
+namespace {
+
+// Of the time of a search (docs/decisions/0016-frame-coherence.md).
+constexpr float kListCost = 1.5F;       // the search of grown spheres, and the list
+constexpr float kFetchCost = 0.2F;      // each frame: every sphere fetched and compared
+constexpr float kNearPairCost = 0.08F;  // each frame: the near pairs of ungrown spheres
+constexpr float kWorthwhile = 0.9F;
+
+constexpr int kWidths = 8;      // tried, up to the widest
+constexpr int kFewFrames = 2;   // a list that served fewer was a mistake
+constexpr int kFirstPause = 4;  // in frames; twice as many after each further mistake
+constexpr int kLongestPause = 1024;
+
+}  // namespace
+
+void SkinWidth::reset(float most) {
+  *this = {};
+  most_ = most;
+  next_pause_ = kFirstPause;
+}
+
+/// `growth` of the mean radius; near pairs are as its cube, as in a gas.
+float SkinWidth::cost_a_frame(float growth, float frames) {
+  const float wider = 1.0F + growth;
+  const float served = kFetchCost + kNearPairCost * wider * wider * wider;
+  return (kListCost + (frames - 1.0F) * served) / frames;
+}
+
+std::optional<float> SkinWidth::half_skin_for(const Motion& motion) {
+  if (pause_ > 0) {
+    --pause_;
+    return std::nullopt;
+  }
+  const float step = std::max(motion.farthest * drift_, most_ / 1024.0F);
+  std::optional<float> best;
+  float best_cost = kWorthwhile;
+  for (int k = 1; k <= kWidths; ++k) {
+    const float half_skin = most_ * static_cast<float>(k) / kWidths;
+    const float frames = 1.0F + std::floor(half_skin / step);
+    const float cost = cost_a_frame(kMostSkin * static_cast<float>(k) / kWidths, frames);
+    if (!(cost < best_cost)) continue;
+    best = half_skin;
+    best_cost = cost;
+  }
+  return best;
+}
+
+void SkinWidth::made(float half_skin, const Motion& motion) {
+  half_skin_ = half_skin;
+  step_then_ = motion.farthest;
+  frames_served_ = 0;
+}
+
+void SkinWidth::left() {
+  if (step_then_ > 0.0F) {
+    const float step = half_skin_ / static_cast<float>(frames_served_ + 1);
+    drift_ = std::clamp(step / step_then_, 0.1F, 2.0F);
+  }
+  if (frames_served_ >= kFewFrames) {
+    next_pause_ = kFirstPause;
+    return;
+  }
+  pause_ = next_pause_;
+  next_pause_ = std::min(2 * next_pause_, kLongestPause);
+}
+
+}  // namespace octocell::cpu::coherence
