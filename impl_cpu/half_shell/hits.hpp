@@ -23,11 +23,12 @@ class Hits {
   Hits& operator=(const Hits&) = delete;
   ~Hits() { decide(); }
 
-  /// The spheres of the run against all lanes, which begin at sphere `begin`.
-  void find(std::uint32_t begin, const Lanes& lanes, Run run) {
+  /// The spheres of the run against those in the first `size` lanes, which begin at sphere `begin`.
+  void find(std::uint32_t begin, std::uint32_t size, const Lanes& lanes, Run run) {
+    const LaneBits taken = first_bits(size);
     while (!run.empty()) {
       const Run some = {run.begin, std::min(run.end, run.begin + kMostAtOnce)};
-      look_through(begin, lanes, some, [](std::uint64_t) { return LaneBits{0xffff}; });
+      look_through(begin, lanes, some, [taken](std::uint64_t) { return taken; });
       run.begin = some.end;
     }
   }
@@ -39,9 +40,6 @@ class Hits {
     });
   }
 
-  void add(std::uint32_t begin, const LaneMask& found, std::uint32_t sphere) {
-    add(begin, bits_of(found), sphere);
-  }
   void add(std::uint32_t begin, LaneBits bits, std::uint32_t sphere) {
     spheres_[count_] = std::uint64_t{begin} << 32 | sphere;
     lanes_[count_] = bits;

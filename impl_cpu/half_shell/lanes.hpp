@@ -4,7 +4,6 @@
 
 #include <bit>
 #include <experimental/simd>
-#include <limits>
 
 #include "harness/interface/sphere.hpp"
 
@@ -16,15 +15,6 @@ inline constexpr std::uint32_t kLanes = 16;
 using Floats = stdx::simd<float, stdx::simd_abi::deduce_t<float, kLanes>>;
 using LaneMask = Floats::mask_type;
 
-/// 0, 1, 2 ...
-inline Floats lane_numbers() {
-  return Floats([](auto lane) { return static_cast<float>(lane); });
-}
-/// The lanes below `count`.
-inline LaneMask first_lanes(std::uint32_t count) {
-  return lane_numbers() < static_cast<float>(count);
-}
-
 struct Lanes {
   Floats x, y, z, r;
 
@@ -34,12 +24,6 @@ struct Lanes {
         y(ys, stdx::element_aligned),
         z(zs, stdx::element_aligned),
         r(rs, stdx::element_aligned) {}
-
-  /// Lanes from `count` on overlap nothing from here on.
-  void keep_first(std::uint32_t count) {
-    if (count >= kLanes) return;
-    stdx::where(!first_lanes(count), x) = std::numeric_limits<float>::quiet_NaN();
-  }
 
   /// As band_may_overlap(), for all lanes. Radii are band radii.
   [[nodiscard]] LaneMask may_overlap(float px, float py, float pz, float pr) const {

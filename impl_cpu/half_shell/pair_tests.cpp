@@ -135,23 +135,22 @@ class LevelTester {
     }
   }
 
-  Lanes lanes_at(std::uint32_t begin, std::uint32_t size) const {
-    Lanes lanes(&o_.x[begin], &o_.y[begin], &o_.z[begin], &o_.r[begin]);
-    lanes.keep_first(size);
-    return lanes;
+  /// Sixteen from there on, of this row or not: who asks knows how many are.
+  Lanes lanes_at(std::uint32_t begin) const {
+    return Lanes(&o_.x[begin], &o_.y[begin], &o_.z[begin], &o_.r[begin]);
   }
 
   /// Each sphere of the group against those behind it, as far as `end`.
   void test_behind(const Group& g, std::uint32_t end) {
-    const Lanes lanes = lanes_at(g.begin, g.size);
+    const Lanes lanes = lanes_at(g.begin);
     const std::uint32_t inside = std::min(g.begin + g.size, end);
     candidates_ += std::uint64_t{g.size} * (g.size - 1) / 2 + g.size * (end - inside);
     hits_.find_behind(g.begin, lanes, {g.begin + 1, inside});
-    hits_.find(g.begin, lanes, {inside, end});
+    hits_.find(g.begin, g.size, lanes, {inside, end});
   }
   void test_group(const Group& g, Run others) {
     candidates_ += std::uint64_t{g.size} * (others.end - others.begin);
-    hits_.find(g.begin, lanes_at(g.begin, g.size), others);
+    hits_.find(g.begin, g.size, lanes_at(g.begin), others);
   }
 
   /// One sphere, which is not of the run, against the run.
@@ -159,7 +158,8 @@ class LevelTester {
     if (candidates_ > limit_) return;
     candidates_ += run.end - run.begin;
     for (std::uint32_t j = run.begin; j < run.end; j += kLanes) {
-      hits_.add(j, lanes_at(j, run.end - j).may_overlap(s.x, s.y, s.z, s.r), sphere);
+      const LaneBits found = bits_of(lanes_at(j).may_overlap(s.x, s.y, s.z, s.r));
+      hits_.add(j, static_cast<LaneBits>(found & first_bits(run.end - j)), sphere);
     }
   }
 
