@@ -21,6 +21,11 @@ std::map<Stage, std::uint64_t> stage_bytes(Method method, std::uint64_t spheres,
   bytes[Stage::cell_ids] = scene + entries;
   bytes[Stage::sort] = 2 * entries;
   bytes[Stage::cell_index] = counts.ids * kIdBytes;
+  if (method == Method::half_shell) {  // the spheres are brought into order, then read in it
+    bytes[Stage::cell_index] = entries + 2 * scene;
+    bytes[Stage::pair_tests] = scene + counts.ids * kIdBytes + sure_pairs;
+    return bytes;
+  }
   bytes[Stage::pair_tests] += entries;
   return bytes;
 }

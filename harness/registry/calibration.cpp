@@ -54,18 +54,6 @@ std::map<std::string, Calibration> read(const fs::path& path) {
 
 }  // namespace
 
-Costs calibrated(Costs costs, const Calibration& factors) {
-  costs.per_id *= factors.home_phantom;
-  costs.per_candidate *= factors.home_phantom;
-  costs.per_pair *= factors.brute_force;
-  ShellCosts& shell = costs.shell;
-  for (double* cost : {&shell.per_sphere, &shell.per_row, &shell.per_window, &shell.per_candidate,
-                       &shell.per_probe}) {
-    *cost *= factors.half_shell;
-  }
-  return costs;
-}
-
 fs::path calibration_file() {
   if (const char* const named = std::getenv("OCTOCELL_CALIBRATION")) return named;
   if (const char* const config = std::getenv("XDG_CONFIG_HOME");

@@ -19,14 +19,24 @@ struct Calibration {
 };
 
 /// Costs as they would be had they been fitted here.
-Costs calibrated(Costs costs, const Calibration& factors);
+constexpr Costs calibrated(Costs costs, const Calibration& factors) {
+  costs.per_id *= factors.home_phantom;
+  costs.per_candidate *= factors.home_phantom;
+  costs.per_pair *= factors.brute_force;
+  ShellCosts& shell = costs.shell;
+  for (double* cost : {&shell.per_sphere, &shell.per_row, &shell.per_window, &shell.per_candidate,
+                       &shell.per_probe, &shell.per_id, &shell.per_wrapped}) {
+    *cost *= factors.half_shell;
+  }
+  return costs;
+}
 
 /// $OCTOCELL_CALIBRATION, or octocell/calibration.json in $XDG_CONFIG_HOME (~/.config). A variable
 /// that is set and empty stands for none.
 std::filesystem::path calibration_file();
 
-/// What `octocell calibrate` has stored, by backend; empty where nothing is, or where it was measured
-/// on another processor. Throws InputError for a file that is not one of ours.
+/// What `octocell calibrate` has stored, by backend; empty where nothing is, or where it was
+/// measured on another processor. Throws InputError for a file that is not one of ours.
 std::map<std::string, Calibration> stored_calibrations();
 
 /// Replaces the file as a whole.
