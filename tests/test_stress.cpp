@@ -2,9 +2,10 @@
 // The judge of the stress suite notices each kind of fault; its scenes are what they say.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <set>
+#include <span>
 #include <thread>
 
 #include "harness/interface/error.hpp"
@@ -176,8 +177,8 @@ TEST(Catalogue, GivesValidScenesTheSameEachTime) {
     ASSERT_FALSE(cases.empty()) << entry.id;
     for (std::size_t k = 0; k < cases.size(); ++k) {
       EXPECT_NO_THROW(validate(cases[k].spheres, entry.id));
-      const std::size_t bytes = cases[k].spheres.size() * sizeof(Sphere);
-      EXPECT_EQ(std::memcmp(cases[k].spheres.data(), again[k].spheres.data(), bytes), 0)
+      EXPECT_TRUE(std::ranges::equal(std::as_bytes(std::span(cases[k].spheres)),
+                                     std::as_bytes(std::span(again[k].spheres))))
           << entry.id;
     }
   }
