@@ -16,7 +16,7 @@ enum class Rows : std::uint8_t {
   device_default,  // the default rule on a GPU
   device,          // all that runs on a GPU
   headline,        // the same, and our default rule on the host
-  fast,            // the default rule of each backend, and each library's fastest
+  fast,            // each backend's plan and home_phantom, and each library's fastest
   usual,           // all methods and rules, and the broad phases that are meant for many spheres
   every,           // those that look at nearly all pairs, too
   ablation,        // the plan with and without each skip, and each method that can be forced

@@ -184,7 +184,7 @@ def moving(result: Result) -> str:
                 size = words.grouped(place.n)
                 lines.append(_line([place.scene, size, titles[row.impl], time, *cells]))
     note = (
-        "Median frame after those that settle a structure. Ours builds anew in each frame; a "
+        "Median frame after those that settle a structure. Ours builds anew, or reuses what is proved to hold still; a "
         "library updates what stands. The ratio is the library's fastest frame time by the row's."
     )
     return "\n".join([*lines, "", note])

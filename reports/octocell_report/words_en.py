@@ -125,8 +125,8 @@ _SECTIONS = {
     "how_time_update": "Update: the baseline's structure stands, every sphere is announced again, "
     "then all pairs are asked for. What a simulation would pay each frame.",
     "title_dynamic": "Moving scenes, frame by frame",
-    "how_dynamic": "Each frame all spheres move, then all pairs are found: ours builds anew, a "
-    "baseline follows in its own way. Lines are the median over the rounds, bands the fastest to the "
+    "how_dynamic": "Each frame the spheres move, then all pairs are found: ours builds anew, or "
+    "reuses what is proved to hold still; a baseline follows in its own way. Lines are the median over the rounds, bands the fastest to the "
     "slowest round; hollow marks on grey are warm-up frames, which count for nothing.",
     "title_stages_backend": "Stages of ours",
     "how_stages_backend": "Each bar is one implementation, warm, at the scene's largest size. A fused "
