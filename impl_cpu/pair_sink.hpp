@@ -24,22 +24,25 @@ class DoubtSink {
 class PairSink {
  public:
   explicit PairSink(Workspace& w)
-      : flags_(w.scene.flags), sure_(w.pairs), doubt_sink_(w), doubts_(doubt_sink_) {}
+      : flags_(w.scene.flags),
+        packing_(w.plan.packing),
+        sure_(w.pairs),
+        doubt_sink_(w),
+        doubts_(doubt_sink_) {}
 
-  /// Two spheres that may overlap, with band radii.
-  template <Band band>
+  /// Two spheres that may overlap, with stored radii.
+  template <PairTest test>
   void take(const Sphere& a, std::uint32_t id_a, const Sphere& b, std::uint32_t id_b) {
     if (!flags_.empty() && !may_collide(flags_[id_a], flags_[id_b])) return;
     const Pair pair = make_pair_of(id_a, id_b);
-    if (band_is_sure<band>(a, b)) {
-      sure_.push(pair);
-    } else {
-      doubts_.push(pair);
-    }
+    const Verdict verdict = verdict_on<test>(a, b, packing_);
+    if (verdict == Verdict::overlap) sure_.push(pair);
+    if (verdict == Verdict::doubt) doubts_.push(pair);
   }
 
  private:
   std::span<const Flags> flags_;
+  Packing packing_;
   PairWriter sure_;
   DoubtSink doubt_sink_;
   ListWriter<Pair, 1024, DoubtSink> doubts_;

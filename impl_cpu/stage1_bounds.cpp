@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "harness/interface/flags.hpp"
+#include "harness/interface/lattice.hpp"
 #include "harness/planner/scene_stats.hpp"
 #include "impl_cpu/stages.hpp"
 
@@ -20,7 +21,8 @@ bool within(const PlanFacts& seen, const PlanFacts& planned) {
     inside = inside && seen.lowest[a] >= planned.lowest[a] && seen.highest[a] <= planned.highest[a];
   }
   const bool has_radius = seen.r_min_nonzero != 0.0F;
-  return inside && (!has_radius || seen.r_min_nonzero >= planned.r_min_nonzero);
+  inside = inside && (!has_radius || seen.r_min_nonzero >= planned.r_min_nonzero);
+  return inside && seen.r_min >= planned.r_min;
 }
 
 /// What the stages that will not run would have left behind.
@@ -45,14 +47,19 @@ void bounds(Workspace& w) {
 
   std::mutex merging;
   std::optional<FactsPass> seen;
+  const double lattice = w.plan.facts.lattice_units_per_length;
+  bool on_lattice = true;
   w.threads->for_blocks(spheres.size(), kBlock, [&](std::uint64_t begin, std::uint64_t end) {
-    const FactsPass part = measure_facts(spheres.subspan(begin, end - begin));
+    const std::span<const Sphere> block = spheres.subspan(begin, end - begin);
+    const FactsPass part = measure_facts(block);
+    const bool part_on_lattice = lattice == 0.0 || lie_on_lattice(block, lattice);
     const std::scoped_lock lock(merging);
     seen = seen ? merge(*seen, part) : part;
+    on_lattice = on_lattice && part_on_lattice;
   });
   if (!seen->valid) {
     w.violation = describe_first_invalid(spheres);
-  } else if (!within(seen->facts, w.plan.facts)) {
+  } else if (!on_lattice || !within(seen->facts, w.plan.facts)) {
     w.violation = kFactsBroken;
   }
 }

@@ -15,20 +15,25 @@ namespace {
 constexpr std::uint64_t kCellsPerBlock = 512;
 constexpr std::uint64_t kPrefetchAhead = 24;
 
+/// What a rule is asked about: a member of a cell.
+struct Member {
+  Object object;
+  [[nodiscard]] std::uint32_t id() const { return object & kIdMask; }
+  [[nodiscard]] bool is_phantom() const { return (object & kPhantom) != 0; }
+};
+
 /// brute_force: every pair counts.
 struct EveryPair {
   static constexpr bool rows_are_homes = false;
-  [[nodiscard]] bool counts_here(const Tile&, std::size_t, const Tile&, std::size_t) const {
-    return true;
-  }
+  [[nodiscard]] bool counts_here(Member, Member) const { return true; }
 };
 
 /// The cell must be the lowest that both spheres meet: on each axis, the lowest of one of them.
 /// (Dittrich and Seeger, ICDE 2000, reference point method.)
 struct LowestCell {
   static constexpr bool rows_are_homes = false;
-  [[nodiscard]] bool counts_here(const Tile& a, std::size_t i, const Tile& b, std::size_t j) const {
-    return ((a.object[i] | b.object[j]) & kLowestMask) == kLowestMask;
+  [[nodiscard]] bool counts_here(Member a, Member b) const {
+    return ((a.object | b.object) & kLowestMask) == kLowestMask;
   }
 };
 
@@ -36,74 +41,76 @@ struct LowestCell {
 struct Chapter32 {
   static constexpr bool rows_are_homes = true;
   const chapter32::ControlBits* control_bits;
-  [[nodiscard]] bool counts_here(const Tile& a, std::size_t i, const Tile& b, std::size_t j) const {
-    const chapter32::ControlBits row = control_bits[a.id(i)];
-    return chapter32::tests_pair_here(row & 7U, row, control_bits[b.id(j)]);
+  [[nodiscard]] bool counts_here(Member a, Member b) const {
+    const chapter32::ControlBits row = control_bits[a.id()];
+    return chapter32::tests_pair_here(row & 7U, row, control_bits[b.id()]);
   }
 };
 
 /// The course text: home with home; home with phantom if the phantom's home id is the larger.
 struct AsWritten {
   static constexpr bool rows_are_homes = true;
+  const Sphere* spheres;
   float side;
-  [[nodiscard]] bool counts_here(const Tile& a, std::size_t i, const Tile& b, std::size_t j) const {
-    if ((b.object[j] & kPhantom) == 0) return true;
-    const auto home_id = [&](const Tile& t, std::size_t k) {
-      return as_written::hash(as_written::home(t.sphere(k), side));
+  [[nodiscard]] bool counts_here(Member a, Member b) const {
+    if (!b.is_phantom()) return true;
+    const auto home_id = [&](Member m) {
+      return as_written::hash(as_written::home(spheres[m.id()], side));
     };
-    return home_id(b, j) > home_id(a, i);
+    return home_id(b) > home_id(a);
   }
 };
 
-template <Band band, typename RuleTest>
+template <PairTest test, typename RuleTest>
 class PairTester {
  public:
   PairTester(Workspace& w, RuleTest rule) : w_(w), rule_(rule), sink_(w) {}
 
-  void load_cell(Tile& tile, std::uint64_t begin, std::uint64_t count) const {
+  void load_cell(Tile<test>& tile, std::uint64_t begin, std::uint64_t count) const {
     const Object* objects = w_.ids[w_.current].objects.data();
     tile.size = 0;
     for (std::uint64_t k = begin; k < begin + count; ++k) {
       if (k + kPrefetchAhead < w_.id_count) {
         __builtin_prefetch(&w_.scene.spheres[objects[k + kPrefetchAhead] & kIdMask]);
       }
-      tile.push<band>(w_.scene.spheres[objects[k] & kIdMask], objects[k]);
+      tile.push(w_.scene.spheres[objects[k] & kIdMask], objects[k], w_.plan.packing);
     }
     tile.pad();
   }
 
-  void load_spheres(Tile& tile, std::uint64_t begin, std::uint64_t count) const {
+  void load_spheres(Tile<test>& tile, std::uint64_t begin, std::uint64_t count) const {
     tile.size = 0;
     for (std::uint64_t k = begin; k < begin + count; ++k) {
-      tile.push<band>(w_.scene.spheres[k], static_cast<Object>(k));
+      tile.push(w_.scene.spheres[k], static_cast<Object>(k), w_.plan.packing);
     }
     tile.pad();
   }
 
   /// The first `rows` of the tile against all that follow them.
-  void test_within(const Tile& tile, std::size_t rows) {
+  void test_within(const Tile<test>& tile, std::size_t rows) {
     for (std::size_t i = 0; i < rows; ++i) test_row(tile, i, tile, i + 1);
   }
 
-  void test_between(const Tile& a, std::size_t rows, const Tile& b) {
+  void test_between(const Tile<test>& a, std::size_t rows, const Tile<test>& b) {
     for (std::size_t i = 0; i < rows; ++i) test_row(a, i, b, 0);
   }
 
  private:
-  void test_row(const Tile& a, std::size_t i, const Tile& b, std::size_t first) {
-    const Sphere row = a.sphere(i);
-    for (std::size_t j = first; j < b.size; j += kLanes) {
-      if (b.any_may_overlap(row, j)) test_lanes(a, i, b, j);
+  void test_row(const Tile<test>& a, std::size_t i, const Tile<test>& b, std::size_t first) {
+    for (std::size_t j = first; j < b.size; j += Tile<test>::kLanes) {
+      for_each_lane(b.may_overlap(a, i, j),
+                    [&](std::uint32_t lane) { take({a.object[i]}, {b.object[j + lane]}); });
     }
   }
 
-  void test_lanes(const Tile& a, std::size_t i, const Tile& b, std::size_t first) {
-    const Sphere row = a.sphere(i);
-    for (std::size_t j = first; j < std::min(first + kLanes, b.size); ++j) {
-      const Sphere column = b.sphere(j);
-      if (!band_may_overlap(row, column) || !rule_.counts_here(a, i, b, j)) continue;
-      sink_.take<band>(row, a.id(i), column, b.id(j));
-    }
+  void take(Member a, Member b) {
+    if (!rule_.counts_here(a, b)) return;
+    sink_.take<test>(stored(a.id()), a.id(), stored(b.id()), b.id());
+  }
+
+  Sphere stored(std::uint32_t id) const {
+    const Sphere& s = w_.scene.spheres[id];
+    return {s.x, s.y, s.z, stored_radius<test>(s.r)};
   }
 
   Workspace& w_;
@@ -113,13 +120,13 @@ class PairTester {
 
 /// All tile pairs of `count` members, tile rows shared out among the threads.
 /// load(tester, tile, offset, size) fills a tile; only the first `rows` members act as rows.
-template <Band band, typename RuleTest, typename Load>
+template <PairTest test, typename RuleTest, typename Load>
 void test_tiles(Workspace& w, RuleTest rule, std::uint64_t rows, std::uint64_t count, Load load) {
   const std::uint64_t row_tiles = (rows + kTileSpheres - 1) / kTileSpheres;
   w.threads->for_blocks(row_tiles, 1, [&](std::uint64_t tile, std::uint64_t) {
-    PairTester<band, RuleTest> tester(w, rule);
-    Tile a;
-    Tile b;
+    PairTester<test, RuleTest> tester(w, rule);
+    Tile<test> a;
+    Tile<test> b;
     const std::uint64_t begin = tile * kTileSpheres;
     load(tester, a, begin, std::min<std::uint64_t>(kTileSpheres, count - begin));
     const std::size_t rows_here = std::min<std::uint64_t>(a.size, rows - begin);
@@ -131,23 +138,23 @@ void test_tiles(Workspace& w, RuleTest rule, std::uint64_t rows, std::uint64_t c
   });
 }
 
-template <Band band, typename RuleTest>
+template <PairTest test, typename RuleTest>
 void test_crowded_cell(Workspace& w, RuleTest rule, const CellEntry& cell) {
   const std::uint64_t members = cell.homes + std::uint64_t{cell.phantoms};
-  test_tiles<band>(w, rule, RuleTest::rows_are_homes ? cell.homes : members, members,
-                   [&](auto& tester, Tile& tile, std::uint64_t offset, std::uint64_t size) {
+  test_tiles<test>(w, rule, RuleTest::rows_are_homes ? cell.homes : members, members,
+                   [&](auto& tester, Tile<test>& tile, std::uint64_t offset, std::uint64_t size) {
                      tester.load_cell(tile, cell.begin + offset, size);
                    });
 }
 
 /// Cells that fit a tile, block by block; then the crowded ones, each by all threads.
-template <Band band, typename RuleTest>
+template <PairTest test, typename RuleTest>
 void test_cells(Workspace& w, RuleTest rule) {
   const std::span<const CellEntry> cells = w.cells.items();
   w.crowded_cells.clear();
   w.threads->for_blocks(cells.size(), kCellsPerBlock, [&](std::uint64_t begin, std::uint64_t end) {
-    PairTester<band, RuleTest> tester(w, rule);
-    Tile tile;
+    PairTester<test, RuleTest> tester(w, rule);
+    Tile<test> tile;
     for (std::uint64_t c = begin; c < end; ++c) {
       const CellEntry& cell = cells[c];
       const std::uint64_t members = cell.homes + std::uint64_t{cell.phantoms};
@@ -161,29 +168,30 @@ void test_cells(Workspace& w, RuleTest rule) {
     }
   });
   for (const std::uint32_t c : w.crowded_cells.items()) {
-    test_crowded_cell<band>(w, rule, cells[c]);
+    test_crowded_cell<test>(w, rule, cells[c]);
   }
 }
 
-template <Band band>
+template <PairTest test>
 void test_all_spheres(Workspace& w) {
   const std::uint64_t count = w.scene.spheres.size();
-  test_tiles<band>(w, EveryPair{}, count, count,
-                   [](auto& tester, Tile& tile, std::uint64_t begin, std::uint64_t size) {
+  test_tiles<test>(w, EveryPair{}, count, count,
+                   [](auto& tester, Tile<test>& tile, std::uint64_t begin, std::uint64_t size) {
                      tester.load_spheres(tile, begin, size);
                    });
 }
 
-template <Band band>
+template <PairTest test>
 void run(Workspace& w) {
-  if (w.plan.method == Method::brute_force) return test_all_spheres<band>(w);
+  if (w.plan.method == Method::brute_force) return test_all_spheres<test>(w);
   switch (w.plan.rule) {
     case Rule::lowest_cell:
-      return test_cells<band>(w, LowestCell{});
+      return test_cells<test>(w, LowestCell{});
     case Rule::chapter32:
-      return test_cells<band>(w, Chapter32{w.control_bits.data()});
+      return test_cells<test>(w, Chapter32{w.control_bits.data()});
     case Rule::as_written:
-      return test_cells<band>(w, AsWritten{as_written::cell_side(w.plan.facts.r_max)});
+      return test_cells<test>(
+          w, AsWritten{w.scene.spheres.data(), as_written::cell_side(w.plan.facts.r_max)});
   }
 }
 
@@ -198,8 +206,7 @@ void pair_tests(Workspace& w) {
   }
   if (!w.may_test_pairs()) return;
   if (w.plan.method == Method::half_shell) return half_shell::pair_tests(w);
-  if (w.plan.band == Band::fast) return run<Band::fast>(w);
-  run<Band::safe>(w);
+  with_pair_test(w.plan.test, [&]<PairTest test>() { run<test>(w); });
 }
 
 }  // namespace octocell::cpu

@@ -4,15 +4,74 @@
 // Cost: about 10 ns a doubt; a few doubts in a million pairs, but all pairs of a tangent lattice.
 // Idea: float64 with an error bound, error-free transformations, integers: the first that is
 //       certain answers.
+#include <algorithm>
+#include <array>
+
+#include "impl_cpu/lanes.hpp"
 #include "impl_cpu/stages.hpp"
 
 namespace octocell::cpu {
+namespace {
+
+constexpr std::size_t kPrefetchAhead = 16;
+constexpr std::uint32_t kAtOnce = 8;
+using Reals = Vector<double, kAtOnce>;
+
+/// Spheres of some pairs, field by field.
+struct Abreast {
+  float x[kAtOnce] = {};
+  float y[kAtOnce] = {};
+  float z[kAtOnce] = {};
+  float r[kAtOnce] = {};
+  void put(std::size_t k, const Sphere& s) {
+    x[k] = s.x;
+    y[k] = s.y;
+    z[k] = s.z;
+    r[k] = s.r;
+  }
+};
+
+/// Level 2 for some doubts at once: which overlap, and which it cannot tell.
+struct Verdicts {
+  LaneBits overlap;
+  LaneBits doubt;
+};
+Verdicts float64_verdicts(const Abreast& a, const Abreast& b) {
+  const auto reals = [](const float* from) { return Reals(from, stdx::element_aligned); };
+  const exact::Float64Test<Reals> test(reals(a.x), reals(a.y), reals(a.z), reals(a.r), reals(b.x),
+                                       reals(b.y), reals(b.z), reals(b.r));
+  const auto certain = bits_of(abs(test.excess) > test.bound);
+  const auto exact = bits_of(test.rounding == 0.0);
+  return {.overlap = bits_of(test.excess <= 0.0),
+          .doubt = static_cast<LaneBits>(~(certain | exact))};
+}
+
+}  // namespace
 
 void resolve_block(Workspace& w, std::span<const Pair> doubts) {
   const std::span<const Sphere> spheres = w.scene.spheres;
   PairWriter pairs(w.pairs);
-  for (const Pair& pair : doubts) {
-    if (overlap_exact(spheres[pair.i], spheres[pair.j])) pairs.push(pair);
+  for (std::size_t begin = 0; begin < doubts.size(); begin += kAtOnce) {
+    const std::size_t count = std::min<std::size_t>(kAtOnce, doubts.size() - begin);
+    Abreast a;
+    Abreast b;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Pair& ahead = doubts[std::min(begin + k + kPrefetchAhead, doubts.size() - 1)];
+      __builtin_prefetch(&spheres[ahead.i]);
+      __builtin_prefetch(&spheres[ahead.j]);
+      a.put(k, spheres[doubts[begin + k].i]);
+      b.put(k, spheres[doubts[begin + k].j]);
+    }
+    Verdicts verdicts = float64_verdicts(a, b);
+    const LaneBits present = first_bits(static_cast<std::uint32_t>(count));
+    for_each_lane(verdicts.doubt & present, [&](std::uint32_t k) {
+      const Pair& pair = doubts[begin + k];
+      const auto bit = static_cast<LaneBits>(1U << k);
+      verdicts.overlap &= static_cast<LaneBits>(~bit);
+      if (exact::integer_test(spheres[pair.i], spheres[pair.j])) verdicts.overlap |= bit;
+    });
+    for_each_lane(verdicts.overlap & present,
+                  [&](std::uint32_t k) { pairs.push(doubts[begin + k]); });
   }
 }
 

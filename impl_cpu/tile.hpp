@@ -2,52 +2,55 @@
 // Up to 1024 spheres, field by field, next to each other: what the inner loop of stage 5 reads.
 #pragma once
 
-#include <experimental/simd>
-
+#include "impl_cpu/lanes.hpp"
 #include "impl_cpu/stages.hpp"
 
 namespace octocell::cpu {
 
-namespace stdx = std::experimental;
-
-inline constexpr std::size_t kLanes = 8;  // 16 were slower: most cells hold fewer than 8
-using Floats = stdx::simd<float, stdx::simd_abi::deduce_t<float, kLanes>>;
-
+template <PairTest test>
 struct Tile {
-  // A vector may reach past the last sphere; what it reads there is masked out.
-  alignas(64) float x[kTileSpheres + kLanes];
-  alignas(64) float y[kTileSpheres + kLanes];
-  alignas(64) float z[kTileSpheres + kLanes];
-  alignas(64) float r[kTileSpheres + kLanes];  // band radii
+  static constexpr std::uint32_t kLanes = 8;  // 16 were slower: most cells hold fewer than 8
+  using Number = NumberOf<test>;
+
+  // Lanes may reach past the last sphere; what is read there is made nothing of.
+  alignas(64) Number x[kTileSpheres + kLanes];
+  alignas(64) Number y[kTileSpheres + kLanes];
+  alignas(64) Number z[kTileSpheres + kLanes];
+  alignas(64) Number r[kTileSpheres + kLanes];  // stored radii
   Object object[kTileSpheres];
   std::size_t size = 0;
 
-  template <Band band>
-  void push(const Sphere& s, Object o) {
-    x[size] = s.x;
-    y[size] = s.y;
-    z[size] = s.z;
-    r[size] = band_radius<band>(s.r);
+  void push(const Sphere& s, Object o, const Packing& packing) {
+    if constexpr (is_packed(test)) {
+      put(pack<test>(s, packing));
+    } else {
+      put(Sphere{s.x, s.y, s.z, stored_radius<test>(s.r)});
+    }
     object[size] = o;
     ++size;
   }
 
   /// Defines the lanes past the end.
   void pad() {
-    for (std::size_t k = size; k < size + kLanes; ++k) x[k] = y[k] = z[k] = r[k] = 0.0F;
+    for (std::size_t k = size; k < size + kLanes; ++k) x[k] = y[k] = z[k] = r[k] = Number{};
   }
 
-  [[nodiscard]] Sphere sphere(std::size_t i) const { return {x[i], y[i], z[i], r[i]}; }
+  [[nodiscard]] FieldsOf<test> fields() const { return {x, y, z, r}; }
   [[nodiscard]] std::uint32_t id(std::size_t i) const { return object[i] & kIdMask; }
 
-  /// Level 1 of the predicate, eight at a time: may any of columns j..j+7 overlap `row`?
-  [[nodiscard]] bool any_may_overlap(const Sphere& row, std::size_t j) const {
-    const auto load = [j](const float* field) { return Floats(field + j, stdx::element_aligned); };
-    const Floats dx = row.x - load(x);
-    const Floats dy = row.y - load(y);
-    const Floats dz = row.z - load(z);
-    const Floats reach = row.r + load(r);
-    return stdx::any_of(dx * dx + dy * dy + dz * dz <= reach * reach);
+  /// Which of spheres j to j + kLanes may overlap sphere i of `rows`: one bit each.
+  [[nodiscard]] LaneBits may_overlap(const Tile& rows, std::size_t i, std::size_t j) const {
+    const LaneBits found = Lanes<test, kLanes>(fields(), j).may_overlap(rows.fields(), i);
+    return found & first_bits(static_cast<std::uint32_t>(size - j));
+  }
+
+ private:
+  template <typename Stored>
+  void put(const Stored& s) {
+    x[size] = s.x;
+    y[size] = s.y;
+    z[size] = s.z;
+    r[size] = s.r;
   }
 };
 

@@ -10,7 +10,7 @@ void Workspace::allocate() {
   for (IdArrays& side : ids) side.allocate(room.ids);
   if (plan.rule == Rule::chapter32) control_bits.allocate(spheres);
   if (plan.method == Method::half_shell) {
-    ordered.allocate(spheres);
+    ordered.allocate(spheres, is_packed(plan.test));
     rows_of_block.resize(spheres / half_shell::kIndexedPerBlock + 1);
   } else {
     cells.allocate(room.cells);

@@ -21,6 +21,15 @@ struct SinkArguments {
   }
 };
 
+inline SinkArguments sink_arguments_of(Workspace& w) {
+  State* const state = w.state.data();
+  return {.pairs = {w.pairs.data(), w.plan.capacity.pairs, &state->pairs},
+          .doubts = {w.doubts.data(), w.plan.capacity.doubts, &state->doubts},
+          .spheres = w.spheres.data(),
+          .flags = w.flags_or_none(),
+          .state = state};
+}
+
 /// Pairs are kept; doubts, too, for stage 6.
 class Keep {
  public:
@@ -34,10 +43,10 @@ class Keep {
       : to_(to), pairs_(to.pairs, shared.pairs), doubts_(to.doubts, shared.doubts) {}
 
   /// All lanes of the warp call it.
-  __device__ void take(bool sure, bool doubt, Pair pair) {
-    if ((sure || doubt) && to_.keeps_apart(pair)) sure = doubt = false;
-    pairs_.push(sure, pair);
-    doubts_.push(doubt, pair);
+  __device__ void take(Verdict verdict, Pair pair) {
+    if (verdict != Verdict::apart && to_.keeps_apart(pair)) verdict = Verdict::apart;
+    pairs_.push(verdict == Verdict::overlap, pair);
+    doubts_.push(verdict == Verdict::doubt, pair);
   }
   /// All threads of the block call it, once, at the end.
   __device__ void close() {
@@ -58,13 +67,12 @@ class Count {
   struct Shared {};
   __device__ Count(const SinkArguments& to, Shared&) : to_(to) {}
 
-  __device__ void take(bool sure, bool doubt, Pair pair) {
-    if ((sure || doubt) && to_.keeps_apart(pair)) return;
-    if (doubt) {
+  __device__ void take(Verdict verdict, Pair pair) {
+    if (verdict == Verdict::apart || to_.keeps_apart(pair)) return;
+    if (verdict == Verdict::doubt) {
       ++doubts_;
-      sure = overlap(to_.spheres, pair);
+      if (!overlap(to_.spheres, pair)) return;
     }
-    if (!sure) return;
     ++pairs_;
     checksum_ += mix_pair(pair);
   }

@@ -8,7 +8,7 @@
 
 namespace octocell::cuda_custom {
 
-/// An entry of a cell as stage 5 sees it; the radius is the band's.
+/// An entry of a cell as stage 5 sees it; the radius is the test's.
 struct Member {
   Sphere sphere;
   Object object;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "harness/interface/lattice.hpp"
 #include "impl_cuda_custom/device.cuh"
 
 namespace octocell::cuda_custom {
@@ -13,6 +14,9 @@ __device__ inline std::uint32_t violation_of(const Sphere& s, const PlanFacts& f
   inside = inside && s.x >= facts.lowest[0] && s.x <= facts.highest[0];
   inside = inside && s.y >= facts.lowest[1] && s.y <= facts.highest[1];
   inside = inside && s.z >= facts.lowest[2] && s.z <= facts.highest[2];
+  inside = inside && s.r >= facts.r_min;
+  const double lattice = facts.lattice_units_per_length;  // the same for all: one branch for all
+  inside = inside && (lattice == 0.0 || lies_on_lattice(s, lattice));
   return inside ? 0 : kOutsidePlan;
 }
 

@@ -9,6 +9,7 @@
 //       candidate belongs to exactly one of the two, however large its cell is.
 #include "impl_cuda_custom/half_shell/pair_tests.cuh"
 #include "impl_cuda_custom/pair_sinks.cuh"
+#include "impl_cuda_custom/pair_test.cuh"
 #include "impl_cuda_custom/rule_test.cuh"
 
 namespace octocell::cuda_custom {
@@ -22,7 +23,7 @@ struct Job {
   const Object* objects;          // none: entry k is sphere k
   const CrowdedTile* crowded_tiles;
   RuleTest rule;
-  Band band;
+  AnyTest test;
   std::uint64_t candidate_limit;
   SinkArguments sink;
 
@@ -38,13 +39,9 @@ struct Job {
   [[nodiscard]] __device__ Member gather(std::uint64_t entry) const {
     const Object object = objects != nullptr ? objects[entry] : static_cast<Object>(entry);
     Sphere s = load_sphere(spheres, object & kIdMask);
-    s.r = band == Band::fast ? band_radius<Band::fast>(s.r) : band_radius<Band::safe>(s.r);
+    s.r = stored_radius(test.test, s.r);
     return {s, object};
   }
-  [[nodiscard]] __device__ bool is_sure(const Sphere& a, const Sphere& b) const {
-    return band == Band::fast ? band_is_sure<Band::fast>(a, b) : band_is_sure<Band::safe>(a, b);
-  }
-
   /// brute_force has one cell, so its crowded tiles need not be listed.
   [[nodiscard]] __device__ std::uint64_t crowded_tile_count() const {
     if (cell_ids != nullptr) return sink.state->crowded_tiles;
@@ -75,10 +72,10 @@ struct Members {
 /// One candidate a lane; lanes that are not `open` have none. All lanes of the warp call it.
 template <typename Sink>
 __device__ void test_pair(const Job& job, Sink& sink, bool open, const Member& a, const Member& b) {
-  const bool found = open && band_may_overlap(a.sphere, b.sphere) && job.rule.counts_here(a, b);
+  const bool found = open && job.test.may_overlap(a.sphere, b.sphere) && job.rule.counts_here(a, b);
   if (!__any_sync(kAllLanes, found)) return;
-  const bool sure = found && job.is_sure(a.sphere, b.sphere);
-  sink.take(sure, found && !sure, make_pair_of(a.id(), b.id()));
+  const Verdict verdict = found ? job.test.verdict_on(a.sphere, b.sphere) : Verdict::apart;
+  sink.take(verdict, make_pair_of(a.id(), b.id()));
 }
 
 /// A tile, and behind it those entries of the next tile that lie in the same cell as its last.
@@ -165,7 +162,6 @@ __global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce) far_column
 
 Job job_of(Workspace& w) {
   const bool brute = w.brute_force();
-  State* const state = w.state.data();
   return {.spheres = w.spheres.data(),
           .cell_ids = brute ? nullptr : w.sorted().keys,
           .objects = brute ? nullptr : w.sorted().values,
@@ -174,13 +170,9 @@ Job job_of(Workspace& w) {
                    .rule = w.plan.rule,
                    .control_bits = w.control_bits.data(),
                    .text_side = as_written::cell_side(w.plan.facts.r_max)},
-          .band = w.plan.band,
+          .test = {w.plan.test, w.plan.packing},
           .candidate_limit = w.plan.candidate_limit,
-          .sink = {.pairs = {w.pairs.data(), w.plan.capacity.pairs, &state->pairs},
-                   .doubts = {w.doubts.data(), w.plan.capacity.doubts, &state->doubts},
-                   .spheres = w.spheres.data(),
-                   .flags = w.flags_or_none(),
-                   .state = state}};
+          .sink = sink_arguments_of(w)};
 }
 
 template <typename Sink>

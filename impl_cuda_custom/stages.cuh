@@ -89,10 +89,11 @@ struct Workspace {
   cuda::DeviceArray<char> sort_scratch;                    // what the sorter asks for
   cuda::DeviceArray<chapter32::ControlBits> control_bits;  // [spheres], rule chapter32 only
   cuda::DeviceArray<CrowdedTile> crowded_tiles;            // [plan.capacity.ids / kBlockThreads]
-  cuda::DeviceArray<Sphere> sorted_spheres;      // [spheres + kReadBehind], half_shell only
-  cuda::DeviceArray<std::uint32_t> cell_starts;  // of them; see StartsShape
-  cuda::DeviceArray<Pair> doubts;                // [plan.capacity.doubts]
-  cuda::DeviceArray<Pair> pairs;                 // [plan.capacity.pairs]
+  cuda::DeviceArray<Sphere> sorted_spheres;       // [spheres + kReadBehind], half_shell only
+  cuda::DeviceArray<PackedSphere> sorted_packed;  // the same, packed tests only
+  cuda::DeviceArray<std::uint32_t> cell_starts;   // of them; see StartsShape
+  cuda::DeviceArray<Pair> doubts;                 // [plan.capacity.doubts]
+  cuda::DeviceArray<Pair> pairs;                  // [plan.capacity.pairs]
 
   [[nodiscard]] std::uint64_t sphere_count() const { return scene.spheres.size(); }
   [[nodiscard]] bool brute_force() const { return plan.method == Method::brute_force; }
@@ -125,6 +126,7 @@ struct Workspace {
     visit(control_bits, plan.rule == Rule::chapter32 ? sphere_count() : 0);
     visit(crowded_tiles, phantoms ? room.ids / kBlockThreads : 0);
     visit(sorted_spheres, half_shell() ? sphere_count() + kReadBehind : 0);
+    visit(sorted_packed, half_shell() && is_packed(plan.test) ? sphere_count() + kReadBehind : 0);
     visit(cell_starts, half_shell() ? starts_shape(plan).starts() : 0);
     visit(doubts, room.doubts);
     visit(pairs, room.pairs);

@@ -8,13 +8,10 @@
 #include <thrust/transform_reduce.h>
 
 #include "impl_thrust/decide.cuh"
+#include "impl_thrust/pair_test.cuh"
 #include "impl_thrust/stages.cuh"
 
 namespace octocell::on_thrust {
-
-OCTOCELL_HD bool is_sure(Band band, const Sphere& p, const Sphere& q) {
-  return band == Band::fast ? band_is_sure<Band::fast>(p, q) : band_is_sure<Band::safe>(p, q);
-}
 
 // A `Test` says which pairs a work item finds: test.run(k, on_sure, on_doubt) calls one of the two
 // with each, the same ones in the same order however often it is asked.

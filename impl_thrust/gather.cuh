@@ -4,17 +4,18 @@
 
 #include <thrust/transform.h>
 
+#include "impl_thrust/pair_test.cuh"
 #include "impl_thrust/stages.cuh"
 
 namespace octocell::on_thrust {
 
-/// The sphere of an entry, with the radius that level 1 of the predicate uses.
+/// The sphere of an entry, with the radius that the test of pairs uses.
 struct Gather {
   const Sphere* spheres;
-  Band band;
+  PairTest test;
   OCTOCELL_HD Sphere operator()(Object object) const {
     Sphere s = spheres[object & kIdMask];
-    s.r = band == Band::fast ? band_radius<Band::fast>(s.r) : band_radius<Band::safe>(s.r);
+    s.r = stored_radius(test, s.r);
     return s;
   }
 };
@@ -23,7 +24,7 @@ template <typename System>
 void gather_members(Workspace<System>& w) {
   const Object* const objects = w.objects.data();
   thrust::transform(w.system.policy(), objects, objects + w.entries(), w.members.data(),
-                    Gather{w.spheres, w.plan.band});
+                    Gather{w.spheres, w.plan.test});
 }
 
 }  // namespace octocell::on_thrust

@@ -3,12 +3,14 @@
 // Reads spheres. Writes a violation, or nothing.
 // Cost: one pass, 16 bytes a sphere.
 // Idea: one transform_reduce, from spheres to the extremes that the plan's proofs rest on.
+#include <thrust/logical.h>
 #include <thrust/transform_reduce.h>
 
 #include <cmath>
 #include <limits>
 
 #include "harness/interface/flags.hpp"
+#include "harness/interface/lattice.hpp"
 #include "harness/planner/scene_stats.hpp"
 #include "impl_thrust/stages.cuh"
 
@@ -21,6 +23,7 @@ struct Extremes {
   float lowest[3] = {kInfinity, kInfinity, kInfinity};
   float highest[3] = {-kInfinity, -kInfinity, -kInfinity};
   float r_max = 0.0F;
+  float r_min = kInfinity;
   float r_min_nonzero = kInfinity;
   bool valid = true;
 };
@@ -31,7 +34,7 @@ OCTOCELL_HD bool is_finite(float value) { return value - value == 0.0F; }
 
 struct ExtremesOfOne {
   OCTOCELL_HD Extremes operator()(const Sphere& s) const {
-    Extremes e = {{s.x, s.y, s.z}, {s.x, s.y, s.z}, s.r, s.r > 0.0F ? s.r : kInfinity, true};
+    Extremes e = {{s.x, s.y, s.z}, {s.x, s.y, s.z}, s.r, s.r, s.r > 0.0F ? s.r : kInfinity, true};
     e.valid = is_finite(s.x) && is_finite(s.y) && is_finite(s.z) && is_finite(s.r) && s.r >= 0.0F;
     return e;
   }
@@ -45,6 +48,7 @@ struct ExtremesOfBoth {
       both.highest[axis] = larger(a.highest[axis], b.highest[axis]);
     }
     both.r_max = larger(a.r_max, b.r_max);
+    both.r_min = smaller(a.r_min, b.r_min);
     both.r_min_nonzero = smaller(a.r_min_nonzero, b.r_min_nonzero);
     both.valid = a.valid && b.valid;
     return both;
@@ -56,7 +60,22 @@ bool within(const Extremes& seen, const PlanFacts& planned) {
   for (int a = 0; a < 3; ++a) {
     inside = inside && seen.lowest[a] >= planned.lowest[a] && seen.highest[a] <= planned.highest[a];
   }
-  return inside && seen.r_min_nonzero >= planned.r_min_nonzero;
+  return inside && seen.r_min >= planned.r_min && seen.r_min_nonzero >= planned.r_min_nonzero;
+}
+
+struct OnLattice {
+  double units_per_length;
+  OCTOCELL_HD bool operator()(const Sphere& s) const {
+    return lies_on_lattice(s, units_per_length);
+  }
+};
+
+template <typename System>
+bool on_planned_lattice(Workspace<System>& w) {
+  const double lattice = w.plan.facts.lattice_units_per_length;
+  if (lattice == 0.0) return true;
+  return thrust::all_of(w.system.policy(), w.spheres, w.spheres + w.sphere_count(),
+                        OnLattice{lattice});
 }
 
 /// What the stages that will not run would have left behind.
@@ -80,7 +99,8 @@ void bounds(Workspace<System>& w) {
                                ExtremesOfOne{}, Extremes{}, ExtremesOfBoth{});
   if (!seen.valid) {
     w.violation = describe_first_invalid(w.scene.spheres);
-  } else if (w.sphere_count() != w.plan.facts.sphere_count || !within(seen, w.plan.facts)) {
+  } else if (w.sphere_count() != w.plan.facts.sphere_count || !within(seen, w.plan.facts) ||
+             !on_planned_lattice(w)) {
     w.violation = kFactsBroken;
   }
 }

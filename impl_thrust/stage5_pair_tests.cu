@@ -46,12 +46,12 @@ struct RuleTest {
 
 /// One row: entry k against all that follow it in its cell.
 struct RowTest {
-  const Sphere* members;  // with band radii
+  const Sphere* members;  // with stored radii
   const Object* objects;
   const std::uint32_t* cell_end;  // none: one cell of all entries
   std::uint64_t entries;
   const Flags* flags;  // none: every pair may collide
-  Band band;
+  PairTest test;
   RuleTest rule;
 
   template <typename OnSure, typename OnDoubt>
@@ -62,12 +62,12 @@ struct RowTest {
     const Sphere p = members[k];
     for (std::uint64_t j = k + 1; j < end; ++j) {
       const Sphere q = members[j];
-      if (!band_may_overlap(p, q)) continue;
+      if (!may_overlap(test, p, q)) continue;
       const Object b = objects[j];
       if (!rule.counts_here(a, p, b, q)) continue;
       const Pair pair = make_pair_of(a & kIdMask, b & kIdMask);
       if (flags != nullptr && !may_collide(flags[pair.i], flags[pair.j])) continue;
-      if (is_sure(band, p, q)) {
+      if (is_sure(test, p, q)) {
         on_sure(pair);
       } else {
         on_doubt(pair);
@@ -86,7 +86,7 @@ RowTest gather_rows(Workspace<System>& w) {
                          as_written::cell_side(w.plan.facts.r_max)};
   return {
       w.members.data(), objects, w.brute_force() ? nullptr : w.cell_end.data(), entries, w.flags,
-      w.plan.band,      rule};
+      w.plan.test,      rule};
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ struct Workspace {
   Array<std::uint32_t> cell_begins;            // [plan.capacity.ids]
   Array<CellEntry> cells;                      // [plan.capacity.cells]
   Array<std::uint32_t> cell_end;               // [plan.capacity.ids] of the cell an entry lies in
-  Array<Sphere> members;                       // [entries] each entry's sphere, with band radius
+  Array<Sphere> members;                       // [entries] each entry's sphere, with stored radius
   Array<Row> rows;                             // [plan.capacity.cells + 1], half_shell only
   Array<Found> found;                          // [entries + 1]
   Array<Pair> doubts;                          // [plan.capacity.doubts]

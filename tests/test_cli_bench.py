@@ -24,7 +24,7 @@ BACKEND_STAGES = ["bounds", "cell_ids", "sort", "cell_index", "pair_tests", "res
 CONTEXT = """date commit dirty version machine compiler flags instruction_set build_type libraries
 preset rounds candidate_limit gpu finished""".split()
 GROUP = "scene n spec real unavailable frames truth".split()
-ROW = """name backend kind method rule skips scene n threads run exhibit known_faults status reason pairs
+ROW = """name backend kind method rule predicate skips scene n threads run exhibit known_faults status reason pairs
 checksum missed false duplicates candidates doubts iterations total_ms stage_ms marked_total_ms
 plan_ms plan fused stage_bytes peak_bytes device_bytes output_bytes""".split()
 
@@ -93,8 +93,9 @@ def test_names_are_keys_with_values(tiny: Json) -> None:
         head, *parts = row["name"].split("/")
         assert head == "find_pairs"
         named = dict(part.split(":") for part in parts)
-        keys = "backend method rule skips scene n threads run".split()
-        assert named == {key: str(row[key]) for key in keys if row[key] is not None}
+        keys = "backend method rule predicate skips scene n threads run".split()
+        silent = (None, "exact")  # the default predicate goes without saying
+        assert named == {key: str(row[key]) for key in keys if row[key] not in silent}
         assert list(named) == [key for key in keys if key in named]
 
 

@@ -15,8 +15,8 @@ from hard_scenes import SCENES, Spheres
 
 BACKEND_STAGES = ["bounds", "cell_ids", "sort", "cell_index", "pair_tests", "resolve"]
 KEYS = (
-    "scene n static backend method planned rule threads pairs checksum candidates doubts runs "
-    "plan_ms total_ms stage_ms"
+    "scene n static backend method planned rule predicate threads pairs checksum candidates "
+    "doubts runs plan_ms total_ms stage_ms"
 ).split()
 
 # One line each of x y z r; the same spheres in every format.
@@ -287,3 +287,28 @@ def test_round_input_says_what_rounding_changed(
 def test_round_input_leaves_float32_alone(octocell: Octocell, tmp_path: Path) -> None:
     np.save(tmp_path / "four.npy", FOUR)
     assert "rounding" not in octocell.find(tmp_path / "four.npy", "--round-input")
+
+
+def test_a_predicate_can_be_asked_for(octocell: Octocell) -> None:
+    exact = octocell.find("gas:n=3000")
+    boxes = octocell.find("gas:n=3000", "--predicate", "aabb_only")
+    assert (exact["predicate"], boxes["predicate"]) == ("exact", "aabb_only")
+    assert boxes["pairs"] > exact["pairs"]
+    assert octocell.find("gas:n=3000", "--predicate", "q16_exact")["checksum"] == exact["checksum"]
+    assert "can be wrong" in octocell.ok("find", "gas:n=9", "--predicate", "f32").stdout
+
+
+@pytest.mark.parametrize(
+    ("backend", "predicate", "words"),
+    [
+        ("impl_cpu", "f128", ("f128", "q16_exact")),
+        ("impl_thrust", "q16_cell", ("impl_thrust", "f32_sqrt")),
+        ("bullet_dbvt", "f32", ("bullet_dbvt", "predicate")),
+    ],
+)
+def test_a_predicate_that_is_not_there_is_refused(
+    octocell: Octocell, backend: str, predicate: str, words: tuple[str, str]
+) -> None:
+    result = octocell.run("find", "gas:n=9", "--backend", backend, "--predicate", predicate)
+    assert result.rc == 2
+    assert all(word in result.stderr for word in words), result.stderr

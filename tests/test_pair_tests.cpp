@@ -64,7 +64,9 @@ TEST_P(PairTests, SurePairsAreRightAndWhatIsLeftIsDoubted) {
 }
 
 TEST_P(PairTests, TangentSpheresAreDoubtedAndOverlappingOnesAreNot) {
-  const auto lattice = after_pair_tests(generate("lattice:n=1000"), options());
+  PlanOptions doubting = options();
+  doubting.allowed = doubting.allowed.without(Skip::doubts);
+  const auto lattice = after_pair_tests(generate("lattice:n=1000"), doubting);
   EXPECT_EQ(lattice->doubts.size(), 2700U);
   EXPECT_EQ(lattice->pairs.size(), 0U);
   const auto gas = after_pair_tests(generate("gas:n=3000"), options());

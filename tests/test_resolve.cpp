@@ -33,7 +33,9 @@ TEST(Resolve, KeepsTheDoubtsThatOverlapAndNoOthers) {
 
 TEST(Resolve, HappensInStageFiveWhereNothingMayBeKept) {
   const Scene scene = generate("lattice:n=1331");  // nothing but doubts
-  auto w = workspace_for(scene.view(), {.threads = 2, .count_only = true});
+  auto w = workspace_for(scene.view(), {.threads = 2,
+                                        .count_only = true,
+                                        .allowed = Skips::all().without(Skip::doubts)});
   ASSERT_EQ(w->plan.capacity.doubts, 0U);
   bounds(*w);
   cell_ids(*w);

@@ -81,7 +81,8 @@ std::optional<std::uint64_t> peak_bytes(const RowSpec& row, const Group& group) 
 }
 
 int run_memory_child(const MemoryOptions& options) {
-  const std::vector<Implementation> all = implementations();
+  std::vector<Implementation> all = implementations();
+  std::ranges::copy(other_predicates(), std::back_inserter(all));
   const auto row = std::ranges::find(all, options.row, &Implementation::label);
   if (row == all.end()) throw InputError(fmt::format("unknown row '{}'", options.row));
   const Scene scene = load_or_generate(options.scene, {.flags = options.flags});

@@ -22,6 +22,7 @@ Json identity(const Group& group, const RowSpec& row) {
           {"kind", how.is_baseline() ? "baseline" : "backend"},
           {"method", how.is_baseline() ? Json() : Json(how.method_name())},
           {"rule", how.has_rule() ? Json(name_of(how.rule)) : Json()},
+          {"predicate", how.is_baseline() ? Json() : Json(name_of(how.predicate))},
           {"skips", row.skips.empty() ? Json() : Json(row.skips)},
           {"scene", group.scene},
           {"n", group.n},

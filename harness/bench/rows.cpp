@@ -10,10 +10,10 @@ namespace octocell::bench {
 namespace {
 
 /// The order in which the report's waterfall adds them.
-constexpr Skip kFromTextToPlan[] = {Skip::key_bits,  Skip::safe_band,  Skip::phantoms,
-                                    Skip::layers,    Skip::wide_cells, Skip::passes,
-                                    Skip::sort,      Skip::grid,       Skip::search,
-                                    Skip::unchanged, Skip::few_movers, Skip::skin};
+constexpr Skip kFromTextToPlan[] = {
+    Skip::key_bits, Skip::safe_band,  Skip::equal_radii, Skip::doubts, Skip::phantoms,
+    Skip::layers,   Skip::wide_cells, Skip::passes,      Skip::sort,   Skip::grid,
+    Skip::search,   Skip::unchanged,  Skip::few_movers,  Skip::skin};
 static_assert(std::size(kFromTextToPlan) == kSkipCount);
 
 constexpr std::string_view kFastBaselines[] = {"fcl_dynamic_aabb_tree_morton",
@@ -78,6 +78,9 @@ std::string row_name(const RowSpec& row, const Group& group) {
   std::string name = fmt::format("find_pairs/backend:{}", row.how.backend->name);
   if (!row.how.is_baseline()) name += fmt::format("/method:{}", row.how.method_name());
   if (row.how.has_rule()) name += fmt::format("/rule:{}", name_of(row.how.rule));
+  if (row.how.predicate != Predicate::exact) {
+    name += fmt::format("/predicate:{}", name_of(row.how.predicate));
+  }
   if (!row.skips.empty()) name += fmt::format("/skips:{}", row.skips);
   return name + fmt::format("/scene:{}/n:{}/threads:{}/run:{}", group.scene, group.n, row.threads,
                             name_of(row.run));

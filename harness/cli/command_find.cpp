@@ -23,6 +23,7 @@ struct Options {
   std::string backend = "impl_cpu";
   std::string method;
   std::string rule;
+  std::string predicate;
   std::optional<std::string> flags;
   std::optional<std::string> output;
   std::optional<double> cell_side;
@@ -38,17 +39,21 @@ struct Options {
 Implementation chosen_implementation(const Options& options) {
   Implementation chosen{.backend = &backend_named(options.backend)};
   const bool asks_for_method = !options.method.empty() || !options.rule.empty() ||
-                               options.cell_side || options.explain || !options.no_skip.empty() ||
-                               !options.force.empty();
+                               !options.predicate.empty() || options.cell_side || options.explain ||
+                               !options.no_skip.empty() || !options.force.empty();
   if (chosen.is_baseline() && asks_for_method) {
-    throw InputError(fmt::format("{} is a baseline: it has its own method, rule, cells and plan",
-                                 chosen.backend->name));
+    throw InputError(
+        fmt::format("{} is a baseline: it has its own method, rule, predicate, cells and plan",
+                    chosen.backend->name));
   }
   if (const auto reason = chosen.backend->why_unavailable()) {
     throw LimitError(fmt::format("{} cannot run here: {}", chosen.backend->name, *reason));
   }
   chosen.method = method_or_planned(options.method);
   if (!options.rule.empty()) chosen.rule = rule_named(options.rule);
+  if (!options.predicate.empty()) {
+    chosen.predicate = predicate_named(options.predicate, *chosen.backend);
+  }
   const bool of_home_phantom = !options.rule.empty() || options.cell_side;
   if (chosen.planned() && of_home_phantom) chosen.method = Method::home_phantom;
   if (!chosen.has_rule() && of_home_phantom) {
@@ -95,6 +100,8 @@ nlohmann::ordered_json to_json(const Answer& answer) {
       {"planned", how.planned()},
       {"rule",
        how.has_rule() ? nlohmann::ordered_json(name_of(how.rule)) : nlohmann::ordered_json()},
+      {"predicate", how.is_baseline() ? nlohmann::ordered_json()
+                                      : nlohmann::ordered_json(name_of(how.predicate))},
       {"threads", how.backend->threaded ? answer.outcome.plan.threads : 1},
       {"pairs", answer.digest.count},
       {"checksum", fmt::format("{:#018x}", answer.digest.checksum)},
@@ -123,7 +130,10 @@ void print_text(const Answer& answer) {
                  ? ""
                  : fmt::format(" with flags, {} static", count_static(answer.scene)));
   fmt::print("backend     {}, {} thread{}\n", how.label(), threads, threads == 1 ? "" : "s");
-  if (how.exhibit()) fmt::print("            an exhibit: this rule loses pairs\n");
+  if (how.exhibit()) {
+    fmt::print("            an exhibit: this {} can be wrong\n",
+               claims_exact(how.predicate) ? "rule" : "predicate");
+  }
   if (how.has_known_faults()) {
     fmt::print("            may lose pairs: {}\n", how.backend->known_faults);
   }
@@ -192,6 +202,7 @@ void add_find(CLI::App& app, Command& command) {
       "planned (default: the planner chooses), home_phantom, half_shell or brute_force");
   sub->add_option("--rule", o->rule,
                   "Of home_phantom: lowest_cell (default), chapter32 or as_written");
+  sub->add_option("--predicate", o->predicate, kPredicateHelp);
   sub->add_option("--cell-side", o->cell_side, "Cell side in scene units, for rule lowest_cell");
   sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
   sub->add_option("-o,--output", o->output, "Write the pairs: NPY, (M, 2) uint32, i < j, sorted");

@@ -44,7 +44,9 @@ Limits limits_for(Size size, const Options& options) {
 
 /// Whatever can run here and is not wrong by intent; "ours" leaves the libraries out.
 std::vector<Implementation> judged(const std::string& backend) {
-  std::vector<Implementation> list = implementations(backend == "ours" ? "all" : backend);
+  const std::string of = backend == "ours" ? "all" : backend;
+  std::vector<Implementation> list = implementations(of);
+  std::ranges::copy(other_predicates(of), std::back_inserter(list));
   std::erase_if(list, [&](const Implementation& how) {
     return how.exhibit() || how.backend->why_unavailable() ||
            (backend == "ours" && how.is_baseline());

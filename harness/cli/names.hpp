@@ -15,6 +15,7 @@
 #include "harness/interface/error.hpp"
 #include "harness/interface/plan.hpp"
 #include "harness/planner/planner.hpp"
+#include "harness/registry/registry.hpp"
 
 namespace octocell::cli {
 
@@ -37,6 +38,21 @@ inline std::optional<Method> method_or_planned(std::string_view name) {
 inline Rule rule_named(std::string_view name) {
   return enumerator_named<Rule>("rule", name, kRuleNames);
 }
+
+/// One that the backend has. Throws InputError listing those.
+inline Predicate predicate_named(std::string_view name, const BackendInfo& backend) {
+  const auto predicate = enumerator_named<Predicate>("predicate", name, kPredicateNames);
+  if (std::ranges::find(backend.predicates, predicate) != backend.predicates.end()) {
+    return predicate;
+  }
+  std::vector<std::string_view> known;
+  for (const Predicate p : backend.predicates) known.push_back(name_of(p));
+  throw InputError(fmt::format("{} has no predicate {}; it has: {}", backend.name, name,
+                               fmt::join(known, ", ")));
+}
+inline constexpr const char* kPredicateHelp =
+    "How two spheres are tested: exact (default), q16_exact, or one that can be wrong: f32, "
+    "f32_sqrt, f64, aabb_only, f16_cell, q16_cell, gram_f32";
 
 inline Skips skips_named(const std::vector<std::string>& names) {
   Skips skips;

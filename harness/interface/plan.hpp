@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "harness/interface/grid.hpp"
-#include "harness/interface/predicate.hpp"
+#include "harness/interface/pair_test.hpp"
 #include "harness/interface/skips.hpp"
 
 namespace octocell {
@@ -38,7 +38,10 @@ struct PlanFacts {
   float lowest[3] = {0, 0, 0};  // of the centres
   float highest[3] = {0, 0, 0};
   float r_max = 0.0F;
+  float r_min = 0.0F;
   float r_min_nonzero = 0.0F;  // smallest radius above zero; 0 if there is none
+  /// 2^-g: all coordinates and radii are multiples of 2^g. 0: unknown, or of no use.
+  double lattice_units_per_length = 0.0;
 };
 
 /// Method half_shell: the spheres of one class of size, and the grid made to their measure.
@@ -83,17 +86,19 @@ inline float grown_radius(float r, float growth) { return (r + growth) * kRadius
 
 /// What Counts::plan_violation says where they no longer hold.
 inline constexpr const char* kFactsBroken =
-    "the spheres have left the box or the range of radii that the plan rests on";
+    "the spheres have left the box, the range of radii or the lattice that the plan rests on";
 inline constexpr const char* kFlagsBroken =
     "the plan rests on flags by which no two spheres collide, and now some do";
 
 struct Plan {
   Method method = Method::home_phantom;
   Rule rule = Rule::lowest_cell;
-  Grid grid;         // of method home_phantom
-  Levels levels;     // of method half_shell
-  int key_bits = 0;  // every cell id is below 2^key_bits
-  Band band = Band::safe;
+  Grid grid;                               // of method home_phantom
+  Levels levels;                           // of method half_shell
+  int key_bits = 0;                        // every cell id is below 2^key_bits
+  Predicate predicate = Predicate::exact;  // what was asked for
+  PairTest test = PairTest::band_safe;     // what that takes here
+  Packing packing;                         // of packed tests
   PlanFacts facts;
   Capacities capacity;
   int sort_digit_bits = 8;  // the most that one pass of the backend's sort takes

@@ -70,43 +70,59 @@ OCTOCELL_HD bool band_is_sure(const Sphere& a, const Sphere& b) {
 namespace exact {
 
 /// a + b = sum + error, exactly (Knuth, TAOCP vol. 2, 4.2.2, theorem B).
+template <typename Real>
 struct Sum {
-  double value;
-  double error;
+  Real value;
+  Real error;
 };
-OCTOCELL_HD Sum two_sum(double a, double b) {
-  const double sum = a + b;
-  const double b_part = sum - a;
+template <typename Real>
+OCTOCELL_HD Sum<Real> two_sum(Real a, Real b) {
+  const Real sum = a + b;
+  const Real b_part = sum - a;
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
-OCTOCELL_HD double square_error(double a, double square) { return std::fma(a, a, -square); }
+template <typename Real>
+OCTOCELL_HD Real square_error(Real a, Real square) {
+  using std::fma;
+  return fma(a, a, -square);
+}
 
-/// Level 2. float32 inputs can neither overflow nor underflow here (squares lie in 2^-298..2^260).
+/// Level 2 for two spheres, or, with a vector of float64 as `Real`, for as many at once. float32
+/// inputs can neither overflow nor underflow here (squares lie in 2^-298..2^260).
+template <typename Real>
+struct Float64Test {
+  Real excess;    // D - R
+  Real bound;     // beyond it the sign of the excess is certain
+  Real rounding;  // the magnitudes of all rounding errors; zero: the excess is exact
+
+  OCTOCELL_HD Float64Test(Real ax, Real ay, Real az, Real ar, Real bx, Real by, Real bz, Real br) {
+    using std::abs;
+    const Sum<Real> dx = two_sum<Real>(ax, -bx);
+    const Sum<Real> dy = two_sum<Real>(ay, -by);
+    const Sum<Real> dz = two_sum<Real>(az, -bz);
+    const Sum<Real> reach = two_sum<Real>(ar, br);
+    const Real xx = dx.value * dx.value;
+    const Real yy = dy.value * dy.value;
+    const Real zz = dz.value * dz.value;
+    const Real reach2 = reach.value * reach.value;
+    const Sum<Real> xy = two_sum<Real>(xx, yy);
+    const Sum<Real> xyz = two_sum<Real>(xy.value, zz);
+    excess = xyz.value - reach2;
+    // Both sides carry at most 8 roundings of 2^-53; ten leave room for the second order.
+    bound = 10.0 * 0x1p-53 * reach2;
+    rounding = abs(dx.error) + abs(dy.error) + abs(dz.error) + abs(reach.error) +  //
+               abs(xy.error) + abs(xyz.error) +                                    //
+               abs(square_error<Real>(dx.value, xx)) + abs(square_error<Real>(dy.value, yy)) +
+               abs(square_error<Real>(dz.value, zz)) + abs(square_error<Real>(reach.value, reach2));
+  }
+};
+
 OCTOCELL_HD Verdict float64_test(const Sphere& a, const Sphere& b) {
-  const Sum dx = two_sum(a.x, -static_cast<double>(b.x));
-  const Sum dy = two_sum(a.y, -static_cast<double>(b.y));
-  const Sum dz = two_sum(a.z, -static_cast<double>(b.z));
-  const Sum reach = two_sum(a.r, b.r);
-  const double xx = dx.value * dx.value;
-  const double yy = dy.value * dy.value;
-  const double zz = dz.value * dz.value;
-  const double reach2 = reach.value * reach.value;
-  const Sum xy = two_sum(xx, yy);
-  const Sum xyz = two_sum(xy.value, zz);
-  const double excess = xyz.value - reach2;
-
-  // Both sides carry at most 8 roundings of 2^-53; ten leave room for the second order.
-  const double bound = 10.0 * 0x1p-53 * reach2;
-  if (excess > bound) return Verdict::apart;
-  if (excess < -bound) return Verdict::overlap;
-
-  const bool nothing_was_rounded =
-      dx.error == 0.0 && dy.error == 0.0 && dz.error == 0.0 && reach.error == 0.0 &&
-      xy.error == 0.0 && xyz.error == 0.0 && square_error(dx.value, xx) == 0.0 &&
-      square_error(dy.value, yy) == 0.0 && square_error(dz.value, zz) == 0.0 &&
-      square_error(reach.value, reach2) == 0.0;
-  if (!nothing_was_rounded) return Verdict::doubt;
-  return excess <= 0.0 ? Verdict::overlap : Verdict::apart;
+  const Float64Test<double> test(a.x, a.y, a.z, a.r, b.x, b.y, b.z, b.r);
+  if (test.excess > test.bound) return Verdict::apart;
+  if (test.excess < -test.bound) return Verdict::overlap;
+  if (test.rounding != 0.0) return Verdict::doubt;
+  return test.excess <= 0.0 ? Verdict::overlap : Verdict::apart;
 }
 
 /// Level 3: little-endian integers of `kLimbs` 32-bit limbs, in units of 2^-149.

@@ -10,20 +10,22 @@
 namespace octocell {
 
 enum class Skip : std::uint8_t {
-  search,      // no two spheres may collide, whatever their places: nothing is looked for
-  grid,        // few spheres: every pair is tested, no cells
-  phantoms,    // cells are a diameter wide: one id a sphere, neighbours are visited instead
-  wide_cells,  // radii differ: the large get a level of their own, so the small keep small cells
-  layers,      // flat scenes: no rows above and below
-  key_bits,    // ids are no longer than the grid needs
-  safe_band,   // radii are neither tiny nor huge: the float32 test needs no guards
-  passes,      // a digit that all ids share is not sorted by
-  sort,        // ids that come in order are not sorted
-  unchanged,   // dynamic: no sphere has changed since the last frame: its pairs stand
-  few_movers,  // dynamic: only what moved is looked for anew
-  skin,        // dynamic: nothing has moved far: the near pairs are tested again, no others
+  search,       // no two spheres may collide, whatever their places: nothing is looked for
+  grid,         // few spheres: every pair is tested, no cells
+  phantoms,     // cells are a diameter wide: one id a sphere, neighbours are visited instead
+  wide_cells,   // radii differ: the large get a level of their own, so the small keep small cells
+  layers,       // flat scenes: no rows above and below
+  key_bits,     // ids are no longer than the grid needs
+  safe_band,    // radii are neither tiny nor huge: the float32 test needs no guards
+  equal_radii,  // all radii are one: what is compared with is a constant
+  doubts,       // all numbers lie on a lattice: plain float32 is exact
+  passes,       // a digit that all ids share is not sorted by
+  sort,         // ids that come in order are not sorted
+  unchanged,    // dynamic: no sphere has changed since the last frame: its pairs stand
+  few_movers,   // dynamic: only what moved is looked for anew
+  skin,         // dynamic: nothing has moved far: the near pairs are tested again, no others
 };
-inline constexpr std::size_t kSkipCount = 12;
+inline constexpr std::size_t kSkipCount = 14;
 
 struct SkipInfo {
   std::string_view name;
@@ -42,6 +44,9 @@ inline constexpr std::array<SkipInfo, kSkipCount> kSkips = {{
     {"key_bits", "passes over bits that no id has", "ids are below the number of cells"},
     {"safe_band", "guards against underflow and overflow",
      "every nonzero radius lies in [2^-60, 2^62]"},
+    {"equal_radii", "the radius of every candidate", "the smallest radius is the largest"},
+    {"doubts", "the band, and doubts for stage 6",
+     "all numbers are multiples of one power of two, and so few bits wide that nothing is rounded"},
     {"passes", "passes over a digit that all ids share", "such a pass moves nothing"},
     {"sort", "the sort", "the ids come in order"},
     {"unchanged", "the frame", "every sphere equals, bit for bit, the copy of the last frame"},

@@ -56,8 +56,10 @@ std::string sort_of(const Plan& plan) {
 }
 
 std::string predicate_of(const Plan& plan) {
-  return plan.band == Band::fast ? "float32 with a band, without guards; doubts exactly"
-                                 : "float32 with a band and guards; doubts exactly";
+  if (plan.predicate != Predicate::exact) return std::string(name_of(plan.predicate));
+  if (plan.test == PairTest::f32) return "plain float32, exact on this scene's lattice";
+  return plan.test == PairTest::band_safe ? "float32 with a band and guards; doubts exactly"
+                                          : "float32 with a band, without guards; doubts exactly";
 }
 
 /// What of the scene speaks for or against a skip.
@@ -85,6 +87,14 @@ std::string fact_of(Skip skip, const SceneStats& stats, const Plan& plan, bool t
       return fmt::format("ids stay below 2^{}", plan.key_bits);
     case Skip::safe_band:
       return fmt::format("radii lie in [{:g}, {:g}]", f.r_min_nonzero, f.r_max);
+    case Skip::equal_radii:
+      return f.r_min == f.r_max ? fmt::format("all radii are {:g}", f.r_max)
+                                : fmt::format("radii range from {:g} to {:g}", f.r_min, f.r_max);
+    case Skip::doubts:
+      return f.lattice_units_per_length != 0.0
+                 ? fmt::format("all numbers are multiples of 2^{}",
+                               -std::ilogb(f.lattice_units_per_length))
+                 : "the numbers lie on no lattice that is coarse enough";
     case Skip::passes:
     case Skip::sort:
       return taken ? "these ids show it" : "the ids do not show it, or were not looked at";
@@ -118,7 +128,7 @@ std::string percent(double part) { return fmt::format("{:.0f} %", 100.0 * part);
 
 std::string savings_of(const Decision& d) {
   if (!d.expected_saving && !d.measured_saving) return {};
-  std::string text = "|                    saves ";
+  std::string text = "|                     saves ";
   if (d.measured_saving) text += percent(*d.measured_saving) + " of the time, measured";
   if (d.expected_saving && d.measured_saving) text += "; ";
   if (d.expected_saving) text += percent(*d.expected_saving) + " expected";
@@ -127,10 +137,10 @@ std::string savings_of(const Decision& d) {
 
 std::string branch_of(const Decision& d) {
   const SkipInfo& info = kSkips[static_cast<std::size_t>(d.skip)];
-  if (!d.taken) return fmt::format("|-- keeps {:<11}{}\n", info.name, d.fact);
+  if (!d.taken) return fmt::format("|-- keeps {:<12}{}\n", info.name, d.fact);
   return fmt::format(
-             "|-- SKIPS {:<11}{}\n"
-             "|                    for {}; safe, since {}\n",
+             "|-- SKIPS {:<12}{}\n"
+             "|                     for {}; safe, since {}\n",
              info.name, info.saves, d.fact, info.proof) +
          savings_of(d);
 }

@@ -7,7 +7,7 @@
 #include "harness/interface/as_written.hpp"
 #include "harness/interface/chapter32.hpp"
 #include "harness/interface/error.hpp"
-#include "harness/planner/planner.hpp"
+#include "harness/planner/choose_test.hpp"
 
 namespace octocell {
 namespace {
@@ -57,19 +57,12 @@ void choose_cells(Plan& plan, const SceneStats& stats, const PlanOptions& option
     plan.levels = cheapest_levels(stats, options.allowed, options.costs,
                                   options.forced.has(Skip::wide_cells) ? 2 : 1);
     plan.key_bits = key_bits_of(plan.levels);
-    const bool may_reuse = options.moving && !options.count_only;
+    const bool may_reuse = plan.moving && !options.count_only;
     if (may_reuse) plan.skin = skin_cells(stats, options.allowed, options.costs);
   }
   if (plan.method != Method::brute_force && !options.allowed.has(Skip::key_bits)) {
     plan.key_bits = plan.skin.key_bits = kIdBits;
   }
-}
-
-Band choose_band(const PlanFacts& facts, Skips allowed) {
-  if (!allowed.has(Skip::safe_band)) return Band::safe;
-  const bool in_range = facts.r_max == 0.0F ||
-                        (facts.r_min_nonzero >= kFastRadiusMin && facts.r_max <= kFastRadiusMax);
-  return in_range ? Band::fast : Band::safe;
 }
 
 std::uint64_t id_capacity(const SceneStats& stats, const Plan& plan) {
@@ -148,7 +141,9 @@ Skips taken_by(const Plan& plan) {
   take_if(plan.levels.count > 1, Skip::wide_cells);
   take_if(is_flat(plan), Skip::layers);
   take_if(plan.method != Method::brute_force && plan.key_bits < kIdBits, Skip::key_bits);
-  take_if(plan.band == Band::fast, Skip::safe_band);
+  take_if(plan.test == PairTest::band_fast || plan.test == PairTest::band_equal, Skip::safe_band);
+  take_if(plan.test == PairTest::band_equal, Skip::equal_radii);
+  take_if(plan.predicate == Predicate::exact && !has_doubts(plan.test), Skip::doubts);
   return taken;
 }
 
@@ -160,11 +155,14 @@ Plan plan_method(const SceneStats& stats, Method method, const PlanOptions& opti
   plan.sort_digit_bits = options.costs.digit_bits;
   plan.allowed = options.allowed;
   plan.nothing_to_find = !stats.some_may_collide && options.allowed.has(Skip::search);
-  plan.moving = options.moving;
+  // Other predicates show what one search costs: nothing is carried from frame to frame.
+  plan.moving = options.moving && options.predicate == Predicate::exact;
   plan.count_only = options.count_only;
   plan.candidate_limit = options.candidate_limit;
-  plan.facts = stats.facts;
-  plan.band = choose_band(stats.facts, options.allowed);
+  plan.predicate = options.predicate;
+  plan.test = choose_test(stats, options);
+  plan.facts = needed_facts(stats.facts, plan.predicate, plan.test);
+  plan.packing = choose_packing(stats.facts, plan.test);
   if (stats.facts.sphere_count > 0) choose_cells(plan, stats, options);
   plan.taken = taken_by(plan);
   plan.capacity = first_capacities(stats, plan);
@@ -188,6 +186,10 @@ std::string why_not(const Plan& plan, Skip skip) {
     case Skip::safe_band:
       return fmt::format("radii from {:g} to {:g} do not all lie in [2^-60, 2^62]",
                          plan.facts.r_min_nonzero, plan.facts.r_max);
+    case Skip::equal_radii:
+      return "radii differ, or need guards, or no band is needed";
+    case Skip::doubts:
+      return "the numbers lie on no lattice that is coarse enough";
     case Skip::key_bits:
       return "the ids need all their bits";
     default:

@@ -40,6 +40,7 @@ struct Costs {
 struct PlanOptions {
   std::optional<Method> method = Method::home_phantom;  // none: the planner chooses
   Rule rule = Rule::lowest_cell;
+  Predicate predicate = Predicate::exact;
   int threads = 1;
   bool count_only = false;
   std::uint64_t candidate_limit = ~std::uint64_t{0};

@@ -12,6 +12,7 @@
 #include "harness/interface/error.hpp"
 #include "harness/interface/flags.hpp"
 #include "harness/interface/pair.hpp"
+#include "harness/planner/lattice.hpp"
 
 namespace octocell {
 namespace {
@@ -26,13 +27,13 @@ struct Lanes {
   float lowest[kLanes];  // of radii: above zero
   float highest[kLanes];
   float taint[kLanes];  // turns NaN at the first value that is not finite
-  float negative[kLanes];
+  float least[kLanes];
 
   Lanes() {
     std::ranges::fill(lowest, kInfinity);
     std::ranges::fill(highest, -kInfinity);
     std::ranges::fill(taint, 0.0F);
-    std::ranges::fill(negative, kInfinity);
+    std::ranges::fill(least, kInfinity);
   }
   /// `above_zero`: minus infinity for coordinates, zero for radii.
   void add(const Sphere* spheres, const float (&above_zero)[kLanes]) {
@@ -41,7 +42,7 @@ struct Lanes {
     for (std::size_t k = 0; k < kLanes; ++k) {
       highest[k] = value[k] > highest[k] ? value[k] : highest[k];
       taint[k] += value[k] - value[k];
-      negative[k] = value[k] < negative[k] ? value[k] : negative[k];
+      least[k] = value[k] < least[k] ? value[k] : least[k];
       const float counted = value[k] > above_zero[k] ? value[k] : kInfinity;
       lowest[k] = counted < lowest[k] ? counted : lowest[k];
     }
@@ -106,16 +107,19 @@ FactsPass measure_facts(std::span<const Sphere> spheres) {
 
   float lowest[4] = {kInfinity, kInfinity, kInfinity, kInfinity};
   float highest[4] = {-kInfinity, -kInfinity, -kInfinity, -kInfinity};
+  float least[4] = {kInfinity, kInfinity, kInfinity, kInfinity};
   for (std::size_t k = 0; k < Lanes::kLanes; ++k) {
     lowest[k % 4] = std::min(lowest[k % 4], lanes.lowest[k]);
     highest[k % 4] = std::max(highest[k % 4], lanes.highest[k]);
+    least[k % 4] = std::min(least[k % 4], lanes.least[k]);
     pass.valid = pass.valid && lanes.taint[k] == 0.0F;
-    pass.valid = pass.valid && (k % 4 != 3 || lanes.negative[k] >= 0.0F);
   }
+  pass.valid = pass.valid && least[3] >= 0.0F;
   for (int a = 0; a < 3; ++a) {
     pass.facts.lowest[a] = lowest[a];
     pass.facts.highest[a] = highest[a];
   }
+  pass.facts.r_min = least[3];
   pass.facts.r_max = highest[3];
   pass.facts.r_min_nonzero = lowest[3] == kInfinity ? 0.0F : lowest[3];
   return pass;
@@ -130,6 +134,7 @@ FactsPass merge(const FactsPass& a, const FactsPass& b) {
     f.lowest[axis] = std::min(f.lowest[axis], b.facts.lowest[axis]);
     f.highest[axis] = std::max(f.highest[axis], b.facts.highest[axis]);
   }
+  f.r_min = std::min(f.r_min, b.facts.r_min);
   f.r_max = std::max(f.r_max, b.facts.r_max);
   const float other = b.facts.r_min_nonzero;
   if (other != 0.0F && (f.r_min_nonzero == 0.0F || other < f.r_min_nonzero)) {
@@ -166,6 +171,8 @@ SceneStats measure(SceneView scene) {
   stats.some_may_collide = some_may_collide(scene.flags);
   stats.radii = classify_radii(scene, stats.facts);
   stats.sample = take_sample(scene);
+  stats.facts.lattice_units_per_length =
+      find_lattice(stats.sample, scene.spheres, stats.facts.r_max);
   return stats;
 }
 

@@ -51,6 +51,12 @@ constexpr Costs kThrustCosts = {.per_id = 46.0,
 constexpr Costs kThrustDeviceCosts =
     calibrated(kDeviceCosts, {.home_phantom = 2.6, .half_shell = 6.0, .brute_force = 1.4});
 
+constexpr std::array kAllPredicates = {
+    Predicate::exact,    Predicate::f32,       Predicate::f32_sqrt,
+    Predicate::f64,      Predicate::aabb_only, Predicate::f16_cell,
+    Predicate::q16_cell, Predicate::q16_exact, Predicate::gram_f32};
+constexpr std::span<const Predicate> kPlainPredicates = std::span(kAllPredicates).first<4>();
+
 constexpr std::array kAllMethods = {Method::home_phantom, Method::half_shell, Method::brute_force};
 
 std::optional<std::string> always_available() { return std::nullopt; }
@@ -62,6 +68,7 @@ constexpr BackendInfo baseline(std::string_view name, std::string_view summary,
           .kind = Kind::baseline,
           .summary = summary,
           .methods = {},
+          .predicates = {},
           .threaded = false,
           .why_unavailable = always_available,
           .create = create,
@@ -78,6 +85,7 @@ constexpr std::array kBackends = {
                 .kind = Kind::backend,
                 .summary = "uniform grid and radix sort on CPU threads",
                 .methods = kAllMethods,
+                .predicates = kAllPredicates,
                 .threaded = true,
                 .why_unavailable = always_available,
                 .create = cpu::make_backend},
@@ -85,6 +93,7 @@ constexpr std::array kBackends = {
                 .kind = Kind::backend,
                 .summary = on_thrust::kHostSummary,
                 .methods = kAllMethods,
+                .predicates = kPlainPredicates,
                 .threaded = on_thrust::kHostThreaded,
                 .why_unavailable = always_available,
                 .create = on_thrust::make_host_backend,
@@ -93,6 +102,7 @@ constexpr std::array kBackends = {
                 .kind = Kind::backend,
                 .summary = on_thrust::kCudaSummary,
                 .methods = kAllMethods,
+                .predicates = kPlainPredicates,
                 .threaded = false,
                 .why_unavailable = on_thrust::why_no_cuda,
                 .create = on_thrust::make_cuda_backend,
@@ -102,6 +112,7 @@ constexpr std::array kBackends = {
                 .kind = Kind::backend,
                 .summary = "uniform grid and radix sort, kernels of our own (CUDA)",
                 .methods = kAllMethods,
+                .predicates = kAllPredicates,
                 .threaded = false,
                 .why_unavailable = cuda_custom::why_unavailable,
                 .create = cuda_custom::make_backend,
@@ -163,6 +174,7 @@ PlanOptions Implementation::plan_options(int threads) const {
   const Skips allowed = has_half_shell ? Skips::all() : Skips::all().without(Skip::phantoms);
   return {.method = method,
           .rule = rule,
+          .predicate = predicate,
           .threads = threads,
           .allowed = allowed,
           .buffers_only = is_baseline(),
@@ -171,8 +183,10 @@ PlanOptions Implementation::plan_options(int threads) const {
 
 std::string Implementation::label() const {
   if (is_baseline()) return std::string(backend->name);
-  if (!has_rule()) return fmt::format("{} {}", backend->name, method_name());
-  return fmt::format("{} {} {}", backend->name, method_name(), name_of(rule));
+  std::string words = fmt::format("{} {}", backend->name, method_name());
+  if (has_rule()) words += fmt::format(" {}", name_of(rule));
+  if (predicate != Predicate::exact) words += fmt::format(" {}", name_of(predicate));
+  return words;
 }
 
 std::vector<Implementation> implementations(std::string_view backend) {
@@ -189,6 +203,18 @@ std::vector<Implementation> implementations(std::string_view backend) {
       for (const Rule rule : {Rule::lowest_cell, Rule::chapter32, Rule::as_written}) {
         list.push_back({.backend = &b, .method = method, .rule = rule});
       }
+    }
+  }
+  return list;
+}
+
+std::vector<Implementation> other_predicates(std::string_view backend) {
+  std::vector<Implementation> list;
+  if (backend != "all") backend_named(backend);
+  for (const BackendInfo& b : kBackends) {
+    if (backend != "all" && backend != b.name) continue;
+    for (const Predicate predicate : b.predicates) {
+      if (predicate != Predicate::exact) list.push_back({.backend = &b, .predicate = predicate});
     }
   }
   return list;

@@ -28,7 +28,7 @@ void Movers::allocate(const Workspace& whole) {
   moved_.plan.capacity.ids = most_;
   moved_.threads = whole.threads;
   for (IdArrays& ids : moved_.ids) ids.allocate(most_);
-  moved_.ordered.allocate(most_);
+  moved_.ordered.allocate(most_, false);
   moved_.rows_of_block.resize(most_ / half_shell::kIndexedPerBlock + 1);
   count_ = taken_out_ = 0;
   others_stand_ = false;

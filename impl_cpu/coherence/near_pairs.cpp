@@ -21,9 +21,9 @@ bool same_radius(const Sphere& a, const Sphere& b) {
   return std::bit_cast<std::uint32_t>(a.r) == std::bit_cast<std::uint32_t>(b.r);
 }
 
-template <Band band>
-Sphere with_band_radius(const Sphere& s) {
-  return {s.x, s.y, s.z, band_radius<band>(s.r)};
+template <PairTest test>
+Sphere stored(const Sphere& s) {
+  return {s.x, s.y, s.z, stored_radius<test>(s.r)};
 }
 
 }  // namespace
@@ -36,10 +36,10 @@ void NearPairs::allocate(const Workspace& whole) {
   grown_.plan = whole.plan;
   grown_.plan.levels = cells.levels;
   grown_.plan.key_bits = cells.key_bits;
-  grown_.plan.band = Band::safe;  // grown radii may leave the range that the plan has seen
+  grown_.plan.test = PairTest::band_safe;  // grown radii may leave the range that the plan has seen
   grown_.threads = whole.threads;
   for (IdArrays& ids : grown_.ids) ids.allocate(count);
-  grown_.ordered.allocate(count);
+  grown_.ordered.allocate(count, false);
   grown_.rows_of_block.resize(count / half_shell::kIndexedPerBlock + 1);
   grown_.pairs.allocate(kMostPerPair * whole.plan.capacity.pairs);
   grown_.doubts.allocate(whole.plan.capacity.pairs);
@@ -125,31 +125,31 @@ bool NearPairs::still_hold(const Workspace& whole) {
 }
 
 /// Whether a near pair overlaps is anybody's guess, so candidates are picked without a branch.
-template <Band band>
+template <PairTest test>
 void NearPairs::decide_block(Workspace& whole, std::span<const Pair> near) const {
   std::array<std::uint32_t, kPairsPerBlock> picked;
   std::size_t count = 0;
   for (std::uint32_t k = 0; k < near.size(); ++k) {
-    const Sphere a = with_band_radius<band>(now_[near[k].i]);
-    const Sphere b = with_band_radius<band>(now_[near[k].j]);
+    const Sphere a = stored<test>(now_[near[k].i]);
+    const Sphere b = stored<test>(now_[near[k].j]);
     picked[count] = k;
-    count += band_may_overlap(a, b) ? 1 : 0;
+    count += may_overlap<test>(a, b) ? 1 : 0;
   }
   PairSink sink(whole);
   for (std::size_t n = 0; n < count; ++n) {
     const Pair pair = near[picked[n]];
-    sink.take<band>(with_band_radius<band>(now_[pair.i]), order()[pair.i],
-                    with_band_radius<band>(now_[pair.j]), order()[pair.j]);
+    sink.take<test>(stored<test>(now_[pair.i]), order()[pair.i], stored<test>(now_[pair.j]),
+                    order()[pair.j]);
   }
 }
 
-template <Band band>
+template <PairTest test>
 void NearPairs::decide_all(Workspace& whole) const {
   const std::span<const Pair> lists[] = {grown_.pairs.items(), grown_.doubts.items()};
   for (const std::span<const Pair> near : lists) {
     whole.threads->for_blocks(near.size(), kPairsPerBlock,
                               [&](std::uint64_t begin, std::uint64_t end) {
-                                decide_block<band>(whole, near.subspan(begin, end - begin));
+                                decide_block<test>(whole, near.subspan(begin, end - begin));
                               });
   }
 }
@@ -158,8 +158,7 @@ void NearPairs::decide(Workspace& whole) const {
   whole.pairs.clear(false);
   whole.doubts.clear();
   whole.candidates = size();
-  if (whole.plan.band == Band::fast) return decide_all<Band::fast>(whole);
-  decide_all<Band::safe>(whole);
+  with_band_test(whole.plan.test, [&]<PairTest test>() { decide_all<test>(whole); });
 }
 
 }  // namespace octocell::cpu::coherence

@@ -32,9 +32,9 @@ class NearPairs {
   [[nodiscard]] bool is_within_reach(const Sphere& then, const Sphere& now) const;
   void fetch_then(const Workspace& whole);
   bool fetch(const Workspace& whole, std::uint64_t begin, std::uint64_t end);
-  template <Band band>
+  template <PairTest test>
   void decide_block(Workspace& whole, std::span<const Pair> near) const;
-  template <Band band>
+  template <PairTest test>
   void decide_all(Workspace& whole) const;
   [[nodiscard]] const Object* order() const { return grown_.ids[grown_.current].objects.data(); }
   [[nodiscard]] std::uint64_t size() const { return grown_.pairs.size() + grown_.doubts.size(); }

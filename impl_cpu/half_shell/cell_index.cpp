@@ -2,8 +2,8 @@
 // Stage 4 of half_shell: the spheres in the order of their columns, and where each row begins.
 // Reads sorted ids, spheres. Writes ordered spheres and rows.
 // Cost: one sphere gathered and 24 bytes written each; the only time that memory is met in
-// disorder. Idea: stage 5 then streams. A row ends where an id leaves its columns, so most spheres
-// cost one
+//       disorder.
+// Idea: stage 5 then streams. A row ends where an id leaves its columns, so most spheres cost one
 //       comparison; a division finds the columns of the next row.
 #include <algorithm>
 
@@ -14,14 +14,14 @@ namespace {
 
 constexpr std::uint64_t kPrefetchAhead = 32;
 
-template <Band band>
+template <PairTest test>
 void gather(Workspace& w, std::uint64_t begin, std::uint64_t end) {
   const Object* const order = w.ids[w.current].objects.data();
   const Sphere* const spheres = w.scene.spheres.data();
   const std::uint64_t last = w.id_count - 1;
   for (std::uint64_t k = begin; k < end; ++k) {
     __builtin_prefetch(&spheres[order[std::min(k + kPrefetchAhead, last)]]);
-    w.ordered.put<band>(k, spheres[order[k]], order[k]);
+    w.ordered.put<test>(k, spheres[order[k]], order[k], w.plan.packing);
   }
 }
 
@@ -96,17 +96,13 @@ void cell_index(Workspace& w) {
   o.column_ids = column_ids;
   std::vector<std::uint64_t>& listed = w.rows_of_block;
   w.threads->for_blocks(w.id_count, kIndexedPerBlock, [&](std::uint64_t begin, std::uint64_t end) {
-    if (w.plan.band == Band::fast) {
-      gather<Band::fast>(w, begin, end);
-    } else {
-      gather<Band::safe>(w, begin, end);
-    }
+    with_pair_test(w.plan.test, [&]<PairTest test>() { gather<test>(w, begin, end); });
     listed[begin / kIndexedPerBlock] = list_rows(w, begin, end);
   });
   for (std::uint64_t k = 0; k < OrderedSpheres::kMargin; ++k) {
     column_ids[w.id_count + k] = ~0U;
-    o.x[w.id_count + k] = o.y[w.id_count + k] = o.z[w.id_count + k] = o.r[w.id_count + k] = 0.0F;
   }
+  o.pad(w.id_count);
   join_rows(w, listed);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "impl_cpu/half_shell/lanes.hpp"
+#include "impl_cpu/half_shell/column_ids.hpp"
 #include "impl_cpu/half_shell/ordered_spheres.hpp"
 #include "impl_cpu/half_shell/row_cursor.hpp"
 #include "impl_cpu/pair_sink.hpp"
@@ -10,12 +10,14 @@ namespace octocell::cpu::half_shell {
 
 static_assert(OrderedSpheres::kMargin >= kLanes && OrderedSpheres::kMargin >= kPassed);
 
-/// Eight neighbours and a sphere that may overlap some of them, noted down as they are found and
+/// Spheres side by side and one that may overlap some of them, noted down as they are found and
 /// decided many at a time: a hit comes every few rounds, when no predictor expects it, so the loop
 /// that looks for hits has no branch on them.
-template <Band band>
+template <PairTest test>
 class Hits {
  public:
+  using Neighbours = Lanes<test, kLanes>;
+
   /// Those in the lanes, and those that come one by one, may be of two structures.
   Hits(Workspace& w, const OrderedSpheres& in_lanes, const OrderedSpheres& one_by_one)
       : in_lanes_(in_lanes), one_by_one_(one_by_one), sink_(w) {}
@@ -24,7 +26,7 @@ class Hits {
   ~Hits() { decide(); }
 
   /// The spheres of the run against those in the first `size` lanes, which begin at sphere `begin`.
-  void find(std::uint32_t begin, std::uint32_t size, const Lanes& lanes, Run run) {
+  void find(std::uint32_t begin, std::uint32_t size, const Neighbours& lanes, Run run) {
     const LaneBits taken = first_bits(size);
     while (!run.empty()) {
       const Run some = {run.begin, std::min(run.end, run.begin + kMostAtOnce)};
@@ -34,7 +36,7 @@ class Hits {
   }
 
   /// The spheres of the run, which are those of the lanes, against the lanes before them.
-  void find_behind(std::uint32_t begin, const Lanes& lanes, Run run) {
+  void find_behind(std::uint32_t begin, const Neighbours& lanes, Run run) {
     look_through(begin, lanes, run, [begin](std::uint64_t j) {
       return first_bits(static_cast<std::uint32_t>(j) - begin);
     });
@@ -52,29 +54,23 @@ class Hits {
   static constexpr std::uint32_t kRoom = 1024;
 
   template <typename Which>
-  void look_through(std::uint32_t begin, const Lanes& lanes, Run run, const Which& which) {
+  void look_through(std::uint32_t begin, const Neighbours& lanes, Run run, const Which& which) {
     if (count_ + kMostAtOnce > kRoom) decide();
-    const OrderedSpheres& o = one_by_one_;
-    count_ = note(lanes.x, lanes.y, lanes.z, lanes.r, o.x.data(), o.y.data(), o.z.data(),
-                  o.r.data(), std::uint64_t{begin} << 32, run, which, count_);
+    count_ =
+        note(lanes, one_by_one_.fields<test>(), std::uint64_t{begin} << 32, run, which, count_);
   }
 
-  /// The inner loop of everything. A function of its own, whose arguments fit into registers.
+  /// The inner loop of everything. A function of its own, so that what it needs stays in registers.
   template <typename Which>
-  [[gnu::noinline]] std::uint32_t note(Floats x, Floats y, Floats z, Floats r, const float* xs,
-                                       const float* ys, const float* zs, const float* rs,
+  [[gnu::noinline]] std::uint32_t note(const Neighbours lanes, const FieldsOf<test> ones,
                                        std::uint64_t begin, Run run, Which which,
                                        std::uint32_t count) {
     std::uint64_t* const spheres = spheres_;
-    LaneBits* const lanes = lanes_;
+    LaneBits* const found = lanes_;
     for (std::uint64_t j = run.begin; j < run.end; ++j) {
-      const Floats dx = x - xs[j];
-      const Floats dy = y - ys[j];
-      const Floats dz = z - zs[j];
-      const Floats reach = r + rs[j];
-      const LaneBits bits = bits_of(dx * dx + dy * dy + dz * dz <= reach * reach) & which(j);
+      const LaneBits bits = lanes.may_overlap(ones, j) & which(j);
       spheres[count] = begin | j;
-      lanes[count] = bits;
+      found[count] = bits;
       count += bits != 0 ? 1 : 0;
     }
     return count;
@@ -88,7 +84,7 @@ class Hits {
       const std::uint32_t other_id = one_by_one_.sphere[sphere];
       for_each_lane(lanes_[k], [&](std::uint32_t lane) {
         const std::uint32_t i = begin + lane;
-        sink_.take<band>(in_lanes_.at(i), in_lanes_.sphere[i], other, other_id);
+        sink_.take<test>(in_lanes_.at(i), in_lanes_.sphere[i], other, other_id);
       });
     }
     count_ = 0;

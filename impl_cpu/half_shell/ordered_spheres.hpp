@@ -2,8 +2,11 @@
 // The spheres in the order of their columns, field by field, and the rows that they form.
 #pragma once
 
+#include <algorithm>
+
 #include "harness/interface/buffer.hpp"
 #include "harness/interface/plan.hpp"
+#include "impl_cpu/lanes.hpp"
 
 namespace octocell::cpu {
 
@@ -17,24 +20,50 @@ struct OrderedSpheres {
   static constexpr std::uint64_t kMargin = 32;  // vectors may reach past the last sphere
 
   const std::uint32_t* column_ids = nullptr;  // [spheres + kMargin], sorted; then the greatest
-  Buffer<float> x, y, z, r;                   // [spheres + kMargin]; r: band radii
+  Buffer<float> x, y, z, r;                   // [spheres + kMargin]; r: stored radii
+  Buffer<std::uint16_t> packed[4];            // the same in 16 bits; packed tests only
   Buffer<std::uint32_t> sphere;               // [spheres]: their ids
   Buffer<Row> rows;                           // [spheres + 1]; one behind the last ends it
   std::uint64_t row_count = 0;
   std::uint32_t level_rows[kMaxLevels + 1] = {};  // level l has rows [l] to [l + 1]
 
-  void allocate(std::uint64_t count) {
+  void allocate(std::uint64_t count, bool also_packed) {
     for (Buffer<float>* field : {&x, &y, &z, &r}) field->allocate(count + kMargin);
+    for (auto& field : packed) field.allocate(also_packed ? count + kMargin : 0);
     sphere.allocate(count);
     rows.allocate(count + 1);
   }
-  template <Band band>
-  void put(std::uint64_t k, const Sphere& s, std::uint32_t id) {
+  template <PairTest test>
+  void put(std::uint64_t k, const Sphere& s, std::uint32_t id, const Packing& packing) {
     x[k] = s.x;
     y[k] = s.y;
     z[k] = s.z;
-    r[k] = band_radius<band>(s.r);
+    r[k] = stored_radius<test>(s.r);
     sphere[k] = id;
+    if constexpr (!is_packed(test)) return;
+    const PackedSphere small = pack<test>(s, packing);
+    packed[0][k] = small.x;
+    packed[1][k] = small.y;
+    packed[2][k] = small.z;
+    packed[3][k] = small.r;
+  }
+  /// What is read behind the last sphere must be defined, and is made nothing of.
+  void pad(std::uint64_t count) {
+    for (std::uint64_t k = count; k < count + kMargin; ++k) x[k] = y[k] = z[k] = r[k] = 0.0F;
+    for (auto& field : packed) {
+      if (field.capacity() >= count + kMargin)
+        std::fill_n(&field[count], kMargin, std::uint16_t{0});
+    }
+  }
+
+  /// As the test reads them.
+  template <PairTest test>
+  [[nodiscard]] FieldsOf<test> fields() const {
+    if constexpr (is_packed(test)) {
+      return {packed[0].data(), packed[1].data(), packed[2].data(), packed[3].data()};
+    } else {
+      return {x.data(), y.data(), z.data(), r.data()};
+    }
   }
   [[nodiscard]] Sphere at(std::uint64_t k) const { return {x[k], y[k], z[k], r[k]}; }
 };

@@ -15,7 +15,7 @@ namespace octocell::cpu::half_shell {
 /// Few spheres would leave most lanes empty, so the many lie in the lanes, those of a row that are
 /// near in x at a time; and each of the few visits only rows that its box meets, of the nine that
 /// are adjacent.
-template <Band band>
+template <PairTest test>
 class OtherRows {
  public:
   OtherRows(Workspace& w, const OrderedSpheres& many, const OrderedSpheres& few, int level)
@@ -125,25 +125,23 @@ class OtherRows {
   }
 
   void visit_rows(std::uint32_t sphere, std::uint32_t column, Adjacent& at) {
-    const Sphere s = few_.at(sphere);
-    const Box box = box_of(s, column);
+    const Box box = box_of(few_.at(sphere), column);
     for_each_lane(box.rows & at.exist, [&](std::uint32_t k) {
       const std::uint32_t first_id = at.first_id[k];
       if (box.first_column > 0) {
         at.begin[k] = first_above(many_.column_ids, at.begin[k], first_id + box.first_column - 1);
       }
-      visit_row(s, sphere, at.begin[k], first_id + box.last_column);
+      visit_row(sphere, at.begin[k], first_id + box.last_column);
     });
   }
 
   /// From `begin` on, as far as that id.
-  void visit_row(const Sphere& s, std::uint32_t sphere, std::uint32_t begin,
-                 std::uint32_t last_id) {
+  void visit_row(std::uint32_t sphere, std::uint32_t begin, std::uint32_t last_id) {
     for (std::uint32_t j = begin;; j += kLanes) {
       const Ids ids(many_.column_ids + j, stdx::element_aligned);
       const LaneBits near = bits_of(ids <= last_id);
-      const Lanes lanes(&many_.x[j], &many_.y[j], &many_.z[j], &many_.r[j]);
-      const LaneBits found = bits_of(lanes.may_overlap(s.x, s.y, s.z, s.r));
+      const Lanes<test, kLanes> lanes(many_.fields<test>(), j);
+      const LaneBits found = lanes.may_overlap(few_.fields<test>(), sphere);
       hits_.add(j, static_cast<LaneBits>(found & near), sphere);
       candidates_ += static_cast<std::uint64_t>(std::popcount(near));
       if (near != first_bits(kLanes)) return;
@@ -162,7 +160,7 @@ class OtherRows {
   RowCursor rows_of_few_;
   const bool boxes_pay_;
   const std::uint64_t limit_;
-  Hits<band> hits_;
+  Hits<test> hits_;
   std::uint64_t candidates_ = 0;
   float radius_ = -1.0F;  // of the sphere before
   float reach_ = 0.0F;

@@ -3,9 +3,9 @@
 // Reads ordered spheres, rows. Writes sure pairs, and doubts for stage 6.
 // Cost: about one vector operation for each sphere and neighbouring row: four rows, one in a flat
 //       scene, none on a line.
-// Idea: eight spheres that follow each other in a row lie in the lanes; those of a neighbouring row
-//       that may be near one of the eight come one after the other. Where rows are sparse these are
-//       about eight, too, so looking closer gains nothing, and no branch depends on where they lie.
+// Idea: spheres that follow each other in a row lie in the lanes; those of a neighbouring row that
+//       may be near one of them come one after the other. Where rows are sparse these are about as
+//       many, too, so looking closer gains nothing, and no branch depends on where they lie.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -31,7 +31,7 @@ struct Step {
 constexpr Step kHalfShell[] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}};
 
 /// One thread's work on one level: its spheres among themselves, or against those of others.
-template <Band band>
+template <PairTest test>
 class LevelTester {
  public:
   LevelTester(Workspace& w, const OrderedSpheres& spheres, const OrderedSpheres& others, int level)
@@ -76,14 +76,16 @@ class LevelTester {
     for_each_z(box, [&](std::uint64_t first_id, std::uint64_t last_id) {
       const Row* row = rows_.not_before(first_id);
       for (; row != rows_.end() && row->first_id <= last_id; ++row) {
-        test_one(s, sphere, columns_in(*row, box.lowest.x, box.highest.x));
+        test_one(sphere, columns_in(*row, box.lowest.x, box.highest.x));
       }
       return row;
     });
   }
 
  private:
-  /// Eight spheres of a row, and the columns that they are in.
+  using Neighbours = Lanes<test, kLanes>;
+
+  /// Spheres of a row, as many as there are lanes, and the columns that they are in.
   struct Group {
     std::uint32_t begin;
     std::uint32_t size;
@@ -136,13 +138,11 @@ class LevelTester {
   }
 
   /// Sixteen from there on, of this row or not: who asks knows how many are.
-  Lanes lanes_at(std::uint32_t begin) const {
-    return Lanes(&o_.x[begin], &o_.y[begin], &o_.z[begin], &o_.r[begin]);
-  }
+  Neighbours lanes_at(std::uint32_t begin) const { return Neighbours(o_.fields<test>(), begin); }
 
   /// Each sphere of the group against those behind it, as far as `end`.
   void test_behind(const Group& g, std::uint32_t end) {
-    const Lanes lanes = lanes_at(g.begin);
+    const Neighbours lanes = lanes_at(g.begin);
     const std::uint32_t inside = std::min(g.begin + g.size, end);
     candidates_ += std::uint64_t{g.size} * (g.size - 1) / 2 + g.size * (end - inside);
     hits_.find_behind(g.begin, lanes, {g.begin + 1, inside});
@@ -154,11 +154,11 @@ class LevelTester {
   }
 
   /// One sphere, which is not of the run, against the run.
-  void test_one(const Sphere& s, std::uint32_t sphere, Run run) {
+  void test_one(std::uint32_t sphere, Run run) {
     if (candidates_ > limit_) return;
     candidates_ += run.end - run.begin;
     for (std::uint32_t j = run.begin; j < run.end; j += kLanes) {
-      const LaneBits found = bits_of(lanes_at(j).may_overlap(s.x, s.y, s.z, s.r));
+      const LaneBits found = lanes_at(j).may_overlap(others_.fields<test>(), sphere);
       hits_.add(j, static_cast<LaneBits>(found & first_bits(run.end - j)), sphere);
     }
   }
@@ -220,7 +220,7 @@ class LevelTester {
   const Grid& grid_;
   RowCursor rows_;
   const std::uint64_t limit_;
-  Hits<band> hits_;
+  Hits<test> hits_;
   std::uint64_t candidates_ = 0;
 };
 
@@ -243,48 +243,48 @@ Run spheres_of(const OrderedSpheres& o, int level) {
 }
 
 /// Those of `others` that are of one level against the spheres of another.
-template <Band band>
+template <PairTest test>
 void test_boxes(Workspace& w, const OrderedSpheres& spheres, int level,
                 const OrderedSpheres& others, int level_of_others,
                 std::atomic<std::uint64_t>& candidates) {
   for_spheres(w, spheres_of(others, level_of_others), kBoxesPerBlock, candidates,
               [&](std::uint32_t begin, std::uint32_t end) {
-                LevelTester<band> tester(w, spheres, others, level);
+                LevelTester<test> tester(w, spheres, others, level);
                 for (std::uint32_t s = begin; s < end; ++s) tester.test_box(s);
                 return tester.candidates();
               });
 }
 
-template <Band band>
+template <PairTest test>
 std::uint64_t test_all(Workspace& w, const OrderedSpheres& spheres) {
   std::atomic<std::uint64_t> candidates = 0;
   for (int level = 0; level < w.plan.levels.count; ++level) {
     for_spheres(w, spheres_of(spheres, level), kSweptPerBlock, candidates,
                 [&](std::uint32_t begin, std::uint32_t end) {
-                  LevelTester<band> tester(w, spheres, spheres, level);
+                  LevelTester<test> tester(w, spheres, spheres, level);
                   tester.sweep(begin, end);
                   return tester.candidates();
                 });
     for (int coarser = level + 1; coarser < w.plan.levels.count; ++coarser) {
-      test_boxes<band>(w, spheres, level, spheres, coarser, candidates);
+      test_boxes<test>(w, spheres, level, spheres, coarser, candidates);
     }
   }
   return candidates.load();
 }
 
-template <Band band>
+template <PairTest test>
 std::uint64_t test_against(Workspace& w, const OrderedSpheres& spheres,
                            const OrderedSpheres& others) {
   std::atomic<std::uint64_t> candidates = 0;
   for (int level = 0; level < w.plan.levels.count; ++level) {
     for_spheres(w, spheres_of(others, level), kSweptPerBlock, candidates,
                 [&](std::uint32_t begin, std::uint32_t end) {
-                  OtherRows<band> tester(w, spheres, others, level);
+                  OtherRows<test> tester(w, spheres, others, level);
                   tester.sweep(begin, end);
                   return tester.candidates();
                 });
     for (int other = 0; other < w.plan.levels.count; ++other) {
-      if (other != level) test_boxes<band>(w, spheres, level, others, other, candidates);
+      if (other != level) test_boxes<test>(w, spheres, level, others, other, candidates);
     }
   }
   return candidates.load();
@@ -298,14 +298,13 @@ void pair_tests(Workspace& w) {
 }
 
 std::uint64_t test_among(Workspace& w, const OrderedSpheres& spheres) {
-  if (w.plan.band == Band::fast) return test_all<Band::fast>(w, spheres);
-  return test_all<Band::safe>(w, spheres);
+  return with_pair_test(w.plan.test, [&]<PairTest test>() { return test_all<test>(w, spheres); });
 }
 
 std::uint64_t test_between(Workspace& w, const OrderedSpheres& spheres,
                            const OrderedSpheres& others) {
-  if (w.plan.band == Band::fast) return test_against<Band::fast>(w, spheres, others);
-  return test_against<Band::safe>(w, spheres, others);
+  return with_band_test(w.plan.test,
+                        [&]<PairTest test>() { return test_against<test>(w, spheres, others); });
 }
 
 }  // namespace octocell::cpu::half_shell

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "impl_cuda_custom/half_shell/neighbours.cuh"
+#include "impl_cuda_custom/pair_test.cuh"
 
 namespace octocell::cuda_custom::half_shell {
 
@@ -77,11 +78,14 @@ struct OrderJob {
   Neighbours neighbours;
   const Sphere* spheres;  // as they came
   Sphere* ordered;
-  Band band;
+  PackedSphere* packed;  // of packed tests
+  PairTest test;
+  Packing packing;
   State* state;
 
   __device__ void put(std::uint32_t place, Sphere s) const {
-    s.r = band == Band::fast ? band_radius<Band::fast>(s.r) : band_radius<Band::safe>(s.r);
+    if (is_packed(test)) packed[place] = pack(test, s, packing);
+    s.r = stored_radius(test, s.r);
     reinterpret_cast<float4*>(ordered)[place] = {s.x, s.y, s.z, s.r};
   }
 };
@@ -125,7 +129,9 @@ inline void cell_index(Workspace& w) {
     const OrderJob job = {.neighbours = neighbours,
                           .spheres = w.spheres.data(),
                           .ordered = w.sorted_spheres.data(),
-                          .band = w.plan.band,
+                          .packed = w.sorted_packed.data(),
+                          .test = w.plan.test,
+                          .packing = w.plan.packing,
                           .state = w.state.data()};
     const unsigned blocks = blocks_for(w.sphere_count() + kReadBehind, kOrderedPerBlock);
     order_kernel<<<blocks, kBlockThreads, 0, w.stream>>>(job);

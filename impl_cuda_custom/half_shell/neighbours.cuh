@@ -25,7 +25,7 @@ struct Shells {
   bool open[kMaxLevels];  // by level; see is_open()
   bool rows_wrap;         // in any level
   CellStarts starts;
-  const Sphere* spheres;  // sorted, with band radii
+  const Sphere* spheres;  // sorted, with stored radii
   const Object* objects;  // their ids
 
   [[nodiscard]] __device__ int level_of_id(std::uint32_t id) const {

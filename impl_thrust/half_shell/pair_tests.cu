@@ -16,7 +16,7 @@ struct ShellTest {
   Shell shell;
   const Object* objects;
   const Flags* flags;  // none: every pair may collide
-  Band band;
+  PairTest test;
 
   template <typename OnSure, typename OnDoubt>
   OCTOCELL_HD void run(std::uint64_t k, OnSure on_sure, OnDoubt on_doubt) const {
@@ -25,10 +25,10 @@ struct ShellTest {
     shell.for_each_run(static_cast<std::uint32_t>(k), [&](Run others) {
       for (std::uint32_t j = others.begin; j < others.end; ++j) {
         const Sphere q = shell.members[j];
-        if (!band_may_overlap(p, q)) continue;
+        if (!may_overlap(test, p, q)) continue;
         const Pair pair = make_pair_of(a, objects[j]);
         if (flags != nullptr && !may_collide(flags[pair.i], flags[pair.j])) continue;
-        if (is_sure(band, p, q)) {
+        if (is_sure(test, p, q)) {
           on_sure(pair);
         } else {
           on_doubt(pair);
@@ -42,7 +42,7 @@ struct ShellTest {
 
 template <typename System>
 void pair_tests(Workspace<System>& w) {
-  count_scan_write(w, ShellTest{shell_of(w), w.objects.data(), w.flags, w.plan.band});
+  count_scan_write(w, ShellTest{shell_of(w), w.objects.data(), w.flags, w.plan.test});
 }
 
 OCTOCELL_FOR_BOTH_SYSTEMS(pair_tests);

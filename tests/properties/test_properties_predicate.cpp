@@ -78,7 +78,7 @@ RC_GTEST_PROP(PredicateProperties, ExactTestIsRightInEitherOrder, ()) {
 RC_GTEST_PROP(PredicateProperties, ErrorsOfSumsAndSquaresAreExact, ()) {
   const double a = *properties::any_float();
   const double b = *properties::any_float();
-  const exact::Sum sum = exact::two_sum(a, b);
+  const exact::Sum<double> sum = exact::two_sum(a, b);
   const auto exactly = properties::exactly;
   RC_ASSERT(exactly(a) + exactly(b) == exactly(sum.value) + exactly(sum.error));
   const double square = sum.value * sum.value;

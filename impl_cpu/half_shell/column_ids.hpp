@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Sorted ids of columns, sixteen at a time.
+#pragma once
+
+#include "impl_cpu/lanes.hpp"
+
+namespace octocell::cpu::half_shell {
+
+inline constexpr std::uint32_t kLanes = 16;
+using Ids = Vector<std::uint32_t, kLanes>;
+
+/// The first place from `at` on whose id is above `id`; `ids` are sorted, and behind the last come
+/// kPassed that are above all. So many at a time: a step is as a rule shorter.
+inline constexpr std::uint32_t kPassed = 2 * Ids::size();
+inline std::uint32_t first_above(const std::uint32_t* ids, std::uint32_t at, std::uint32_t id) {
+  for (;;) {
+    const Ids here(ids + at, stdx::element_aligned);
+    const Ids next(ids + at + Ids::size(), stdx::element_aligned);
+    const auto passed =
+        static_cast<std::uint32_t>(stdx::popcount(here <= id) + stdx::popcount(next <= id));
+    at += passed;
+    if (passed < kPassed) return at;
+  }
+}
+
+}  // namespace octocell::cpu::half_shell

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+// Spheres side by side, and the first step of each pair test for one sphere against all of them.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <type_traits>
+
+// GCC 12 takes its own "undefined" vectors for mistakes of ours (GCC bug 105593).
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include <experimental/simd>
+#pragma GCC diagnostic pop
+
+#include "harness/interface/pair_test.hpp"
+
+namespace octocell::cpu {
+
+namespace stdx = std::experimental;
+
+/// Spheres field by field.
+template <typename Number>
+struct Fields {
+  const Number* x;
+  const Number* y;
+  const Number* z;
+  const Number* r;
+};
+/// As a test reads them.
+template <PairTest test>
+using NumberOf = std::conditional_t<is_packed(test), std::uint16_t, float>;
+template <PairTest test>
+using FieldsOf = Fields<NumberOf<test>>;
+
+template <typename Number, std::uint32_t count>
+using Vector = stdx::simd<Number, stdx::simd_abi::deduce_t<Number, count>>;
+
+/// One bit a lane, the first lowest.
+using LaneBits = std::uint16_t;
+template <typename Mask>
+LaneBits bits_of(const Mask& mask) {
+  return static_cast<LaneBits>(mask.__to_bitset().to_ulong());  // libstdc++'s, for want of a better
+}
+/// The first `count` of 16 lanes or fewer.
+inline LaneBits first_bits(std::uint32_t count) {
+  return static_cast<LaneBits>(count >= 16 ? 0xffffU : (1U << count) - 1U);
+}
+/// Calls visit(lane) for each lane that is set.
+template <typename Visit>
+void for_each_lane(std::uint32_t bits, const Visit& visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::uint32_t>(std::countr_zero(bits)));
+}
+
+/// The four fields of spheres side by side.
+template <typename V>
+struct SphereLanes {
+  V x, y, z, r;
+  template <typename Number>
+  SphereLanes(const Fields<Number>& of, std::uint64_t at)
+      : x(of.x + at, stdx::element_aligned),
+        y(of.y + at, stdx::element_aligned),
+        z(of.z + at, stdx::element_aligned),
+        r(of.r + at, stdx::element_aligned) {}
+};
+
+/// D, as band_distance2().
+template <typename V, typename Number>
+V distance2(const SphereLanes<V>& lanes, const Fields<Number>& ones, std::uint64_t k) {
+  const V dx = lanes.x - static_cast<typename V::value_type>(ones.x[k]);
+  const V dy = lanes.y - static_cast<typename V::value_type>(ones.y[k]);
+  const V dz = lanes.z - static_cast<typename V::value_type>(ones.z[k]);
+  return dx * dx + dy * dy + dz * dz;
+}
+
+/// `count` spheres from a place on; they are read however few there are.
+/// may_overlap(ones, k): as the function of that name says for each of them and sphere k of `ones`.
+template <PairTest test, std::uint32_t count>
+class Lanes {  // the tests of |p - q|^2 <= (r_p + r_q)^2: the band's, f32, and f64
+ public:
+  Lanes(const Fields<float>& of, std::uint64_t at) : lanes_(of, at) {}
+
+  [[nodiscard]] LaneBits may_overlap(const Fields<float>& ones, std::uint64_t k) const {
+    const V reach = lanes_.r + static_cast<Number>(ones.r[k]);
+    return bits_of(distance2(lanes_, ones, k) <= reach * reach);
+  }
+
+ private:
+  using Number = std::conditional_t<test == PairTest::f64, double, float>;
+  using V = Vector<Number, count>;
+  SphereLanes<V> lanes_;
+};
+
+template <std::uint32_t count>
+class Lanes<PairTest::band_equal, count> {
+ public:
+  Lanes(const Fields<float>& of, std::uint64_t at)
+      : lanes_(of, at), reach2_((of.r[at] + of.r[at]) * (of.r[at] + of.r[at])) {}
+
+  [[nodiscard]] LaneBits may_overlap(const Fields<float>& ones, std::uint64_t k) const {
+    return bits_of(distance2(lanes_, ones, k) <= reach2_);
+  }
+
+ private:
+  SphereLanes<Vector<float, count>> lanes_;
+  Vector<float, count> reach2_;
+};
+
+template <std::uint32_t count>
+class Lanes<PairTest::f32_sqrt, count> {
+ public:
+  Lanes(const Fields<float>& of, std::uint64_t at) : lanes_(of, at) {}
+
+  [[nodiscard]] LaneBits may_overlap(const Fields<float>& ones, std::uint64_t k) const {
+    return bits_of(stdx::sqrt(distance2(lanes_, ones, k)) <= lanes_.r + ones.r[k]);
+  }
+
+ private:
+  SphereLanes<Vector<float, count>> lanes_;
+};
+
+template <std::uint32_t count>
+class Lanes<PairTest::boxes, count> {
+ public:
+  Lanes(const Fields<float>& of, std::uint64_t at) {
+    const float* const centres[] = {of.x, of.y, of.z};
+    const Floats r(of.r + at, stdx::element_aligned);
+    for (int a = 0; a < 3; ++a) {
+      const Floats centre(centres[a] + at, stdx::element_aligned);
+      low_[a] = centre - r;
+      high_[a] = centre + r;
+    }
+  }
+
+  [[nodiscard]] LaneBits may_overlap(const Fields<float>& ones, std::uint64_t k) const {
+    const float centre[] = {ones.x[k], ones.y[k], ones.z[k]};
+    const float r = ones.r[k];
+    auto meet = low_[0] <= centre[0] + r && centre[0] - r <= high_[0];
+    for (int a = 1; a < 3; ++a) {
+      meet = meet && low_[a] <= centre[a] + r && centre[a] - r <= high_[a];
+    }
+    return bits_of(meet);
+  }
+
+ private:
+  using Floats = Vector<float, count>;
+  Floats low_[3], high_[3];
+};
+
+template <std::uint32_t count>
+class Lanes<PairTest::gram, count> {
+ public:
+  Lanes(const Fields<float>& of, std::uint64_t at)
+      : lanes_(of, at), norm2_(lanes_.x * lanes_.x + lanes_.y * lanes_.y + lanes_.z * lanes_.z) {}
+
+  [[nodiscard]] LaneBits may_overlap(const Fields<float>& ones, std::uint64_t k) const {
+    const Sphere one = {ones.x[k], ones.y[k], ones.z[k], ones.r[k]};
+    const Floats product = lanes_.x * one.x + lanes_.y * one.y + lanes_.z * one.z;
+    const Floats reach = lanes_.r + one.r;
+    return bits_of(norm2_ + pair_tests::norm2(one) - 2.0F * product <= reach * reach);
+  }
+
+ private:
+  using Floats = Vector<float, count>;
+  SphereLanes<Floats> lanes_;
+  Floats norm2_;
+};
+
+/// Sixteen-bit integers: what two of them need is computed in 32 bits.
+template <std::uint32_t count, bool rounded_down>
+class Q16Lanes {
+ public:
+  Q16Lanes(const Fields<std::uint16_t>& of, std::uint64_t at) : lanes_(of, at) {}
+
+  [[nodiscard]] LaneBits may_overlap(const Fields<std::uint16_t>& ones, std::uint64_t k) const {
+    const Integers reach = lanes_.r + static_cast<std::int32_t>(ones.r[k]);
+    return bits_of(square_of_distance(lanes_.x, ones.x[k]) +
+                       square_of_distance(lanes_.y, ones.y[k]) +
+                       square_of_distance(lanes_.z, ones.z[k]) <=
+                   square(reach));
+  }
+
+ private:
+  using Integers = Vector<std::int32_t, count>;
+  using Naturals = stdx::rebind_simd_t<std::uint32_t, Integers>;
+
+  static Naturals square(const Integers& v) {
+    const auto natural = stdx::static_simd_cast<Naturals>(v);
+    return natural * natural;
+  }
+  /// Modulo 2^16; less one where both places were rounded down, as q16::least_distance().
+  static Naturals square_of_distance(const Integers& at, std::uint16_t to) {
+    const Integers difference = (at - static_cast<std::int32_t>(to)) << 16 >> 16;
+    if constexpr (!rounded_down) return square(difference);
+    return square(stdx::max(stdx::abs(difference) - 1, Integers(0)));
+  }
+
+  SphereLanes<Integers> lanes_;
+};
+template <std::uint32_t count>
+class Lanes<PairTest::q16, count> : public Q16Lanes<count, false> {
+  using Q16Lanes<count, false>::Q16Lanes;
+};
+template <std::uint32_t count>
+class Lanes<PairTest::q16_exact, count> : public Q16Lanes<count, true> {
+  using Q16Lanes<count, true>::Q16Lanes;
+};
+
+/// Sixteen-bit floats, which become 32-bit ones as they are read.
+template <std::uint32_t count>
+class Lanes<PairTest::f16, count> {
+ public:
+  Lanes(const Fields<std::uint16_t>& of, std::uint64_t at)
+      : x_(load(of.x + at)), y_(load(of.y + at)), z_(load(of.z + at)), r_(load(of.r + at)) {}
+
+  [[nodiscard]] LaneBits may_overlap(const Fields<std::uint16_t>& ones, std::uint64_t k) const {
+    const Floats dx = difference(x_, f16::to_float(ones.x[k]));
+    const Floats dy = difference(y_, f16::to_float(ones.y[k]));
+    const Floats dz = difference(z_, f16::to_float(ones.z[k]));
+    const Floats reach = r_ + f16::to_float(ones.r[k]);
+    return bits_of(dx * dx + dy * dy + dz * dz <= reach * reach);
+  }
+
+ private:
+  using Floats = Vector<float, count>;
+
+  static Floats load(const std::uint16_t* from) {
+    return Floats([from](auto lane) { return f16::to_float(from[lane]); });
+  }
+  /// Modulo the cell, as f16::difference(). Places lie in [-2, 2], so d in [-4, 4].
+  static Floats difference(const Floats& at, float to) {
+    constexpr float kCell = f16::kUnitsPerCell;
+    const Floats d = at - to;
+    return d - kCell * stdx::rint(d * (1.0F / kCell));
+  }
+
+  Floats x_, y_, z_, r_;
+};
+
+}  // namespace octocell::cpu

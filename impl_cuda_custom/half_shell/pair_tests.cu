@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// Stage 5 of half_shell: a thread a sphere, which meets the spheres of its runs one by one. Threads
+// of a warp have spheres side by side, so their runs overlap, and what one loads the first-level
+// cache holds for the others.
+#include "impl_cuda_custom/half_shell/pair_tests.cuh"
+
+#include "impl_cuda_custom/half_shell/neighbours.cuh"
+#include "impl_cuda_custom/pair_sinks.cuh"
+#include "impl_cuda_custom/pair_test.cuh"
+
+namespace octocell::cuda_custom::half_shell {
+namespace {
+
+/// `Stored`: what of the sorted spheres the test reads.
+template <typename Neighbours, typename Test, typename Stored>
+struct TestJob {
+  Neighbours neighbours;
+  Test test;
+  const Stored* stored;
+  std::uint64_t candidate_limit;
+  SinkArguments sink;
+
+  /// The same for all threads: nothing that is read here changes in this stage.
+  [[nodiscard]] __device__ bool may_test() const {
+    return sink.state->violations == 0 && sink.state->candidates <= candidate_limit;
+  }
+};
+
+/// Two places of the sorted spheres.
+struct Hit {
+  std::uint32_t row;
+  std::uint32_t other;
+};
+
+/// The hits of a warp, kept until there is one for each lane: few lanes hit at once, and what a hit
+/// costs, the warp pays, however many lanes have one.
+template <typename Sink, typename Job>
+class HitQueue {
+ public:
+  struct Shared {
+    Hit hits[kBlockWarps][2 * kWarpThreads];
+  };
+  __device__ HitQueue(const Job& job, Sink& sink, Shared& shared)
+      : job_(job), sink_(sink), hits_(shared.hits[warp()]) {}
+
+  /// All lanes of the warp call it; those that `have` a hit append it.
+  __device__ void push(bool have, Hit hit) {
+    const unsigned having = __ballot_sync(kAllLanes, have);
+    if (have) hits_[size_ + __popc(having & lanes_below())] = hit;
+    size_ += __popc(having);
+    if (size_ >= kWarpThreads) drain();
+  }
+
+  /// Hands up to 32 hits to the sink.
+  __device__ void drain() {
+    __syncwarp();  // what other lanes have stored is seen
+    const int count = min(size_, kWarpThreads);
+    size_ -= count;
+    const bool mine = lane() < count;
+    Pair pair = {};
+    Verdict verdict = Verdict::apart;
+    if (mine) {
+      const Hit hit = hits_[size_ + lane()];
+      const Sphere* const spheres = job_.neighbours.spheres;
+      const Object* const objects = job_.neighbours.objects;
+      verdict = job_.test.verdict_on(load(spheres, hit.row), load(spheres, hit.other));
+      pair = make_pair_of(objects[hit.row], objects[hit.other]);
+    }
+    sink_.take(verdict, pair);
+    __syncwarp();  // the places may be written again
+  }
+
+ private:
+  const Job& job_;
+  Sink& sink_;
+  Hit* const hits_;
+  int size_ = 0;  // the same in all lanes
+};
+
+/// Which of the `count` spheres from `other` on may overlap `row`: one bit each. `count` is at most
+/// 32 and the same in all lanes, so nothing is asked after each; spheres behind a lane's own are
+/// read, kReadBehind at most.
+template <typename Test, typename Stored>
+__device__ inline std::uint32_t find_hits(const Test& test, const Stored& row, const Stored* others,
+                                          std::uint32_t count) {
+  constexpr int kAtOnce = 3;  // more need registers that cost blocks
+  std::uint32_t hits = 0;
+#pragma unroll 1
+  for (std::uint32_t k = 0; k < count; k += kAtOnce) {
+    Stored other[kAtOnce];
+#pragma unroll
+    for (int j = 0; j < kAtOnce; ++j) other[j] = load(others, j);
+    std::uint32_t here = 0;
+#pragma unroll
+    for (int j = 0; j < kAtOnce; ++j) {
+      if (test.may_overlap(row, other[j])) here |= 1U << j;
+    }
+    hits |= here << k;
+    others += kAtOnce;
+  }
+  return hits;
+}
+
+/// All lanes of the warp call it, each with a run of its own.
+template <typename Job, typename Queue, typename Stored>
+__device__ void test_run(const Job& job, Queue& queue, std::uint32_t place, const Stored& row,
+                         Run run) {
+  const std::uint32_t longest = max_over_warp(run.size());
+  for (std::uint32_t done = 0; done < longest; done += kWarpThreads) {
+    const std::uint32_t left = run.size() > done ? run.size() - done : 0;
+    const std::uint32_t begin = left != 0 ? run.begin + done : 0;
+    std::uint32_t hits = find_hits(job.test, row, job.stored + begin,
+                                   min(longest - done, std::uint32_t{kWarpThreads}));
+    if (left < kWarpThreads) hits &= (1U << left) - 1;
+    while (__any_sync(kAllLanes, hits != 0)) {
+      queue.push(hits != 0, {place, begin + __ffs(static_cast<int>(hits)) - 1});
+      hits &= hits - 1;
+    }
+  }
+}
+
+template <typename Sink, typename Neighbours, typename Test, typename Stored>
+__global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce)
+    half_shell_kernel(const __grid_constant__ TestJob<Neighbours, Test, Stored> job) {
+  using Queue = HitQueue<Sink, TestJob<Neighbours, Test, Stored>>;
+  __shared__ typename Sink::Shared shared;
+  __shared__ typename Queue::Shared queued;
+  const auto entries = static_cast<std::uint32_t>(job.sink.state->entries);
+  const std::uint32_t place = blockIdx.x * kBlockThreads + threadIdx.x;
+  if (blockIdx.x * kBlockThreads >= entries || !job.may_test()) return;
+  Sink sink(job.sink, shared);
+  Queue queue(job, sink, queued);
+  const Neighbours& neighbours = job.neighbours;
+  const bool present = place < entries;
+  const Sphere sphere = present ? load(neighbours.spheres, place) : Sphere{};
+  const Stored row = present ? load(job.stored, place) : Stored{};
+  const std::uint32_t id = present ? neighbours.starts.cell_ids[place] : 0;
+  neighbours.visit_runs(present, place, id, sphere,
+                        [&](Run run) { test_run(job, queue, place, row, run); });
+  queue.drain();
+  sink.close();
+}
+
+template <typename Sink, typename Test, typename Stored>
+void test_runs(Workspace& w, const Test& test, const Stored* stored) {
+  with_neighbours(w, [&](const auto& neighbours) {
+    const TestJob job = {.neighbours = neighbours,
+                         .test = test,
+                         .stored = stored,
+                         .candidate_limit = w.plan.candidate_limit,
+                         .sink = sink_arguments_of(w)};
+    half_shell_kernel<Sink><<<blocks_for(w.sphere_count()), kBlockThreads, 0, w.stream>>>(job);
+    cuda::check_launch();
+  });
+}
+
+/// What D is compared with where all radii are one.
+float equal_reach2(const Workspace& w) {
+  const float r = band_radius<Band::fast>(w.plan.facts.r_max);
+  return (r + r) * (r + r);
+}
+
+}  // namespace
+
+void pair_tests(Workspace& w) {
+  if (!w.half_shell()) return;
+  const Packing& packing = w.plan.packing;
+  const Sphere* const spheres = w.sorted_spheres.data();
+  if (w.plan.count_only) {
+    return test_runs<Count>(w, AnyTest{w.plan.test, packing}, spheres);
+  }
+  with_pair_test(w.plan.test, [&]<PairTest test>() {
+    const FixedTest<test> fixed = {packing, equal_reach2(w)};
+    if constexpr (is_packed(test)) {
+      test_runs<Keep>(w, fixed, w.sorted_packed.data());
+    } else {
+      test_runs<Keep>(w, fixed, spheres);
+    }
+  });
+}
+
+}  // namespace octocell::cuda_custom::half_shell
