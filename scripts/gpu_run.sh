@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # On a machine with a GPU, from an unpacked bundle: what proves it and what is published.
-# gpu_run.sh STEP..., steps being tests, check, stress, sanitizers, sort, bench, large (default: tests check).
+# gpu_run.sh STEP..., steps being tests, check, stress, near_ties, sanitizers, sort, bench, large (default: tests check).
 # OUT names the folder for logs and JSON (default: out, beside this file).
 # shellcheck disable=SC2317  # steps are called by their names
 set -uo pipefail
@@ -29,6 +29,8 @@ tests() {
   quietly radix_sort "$here/tests/test_radix_sort" --gtest_brief=1
   quietly cuda_custom "$here/tests/test_cuda_custom" --gtest_brief=1
   quietly cuda_half_shell "$here/tests/test_cuda_half_shell" --gtest_brief=1
+  quietly cuda_precision "$here/tests/test_cuda_precision" --gtest_brief=1
+  quietly near_ties "$here/tests/test_near_ties" --gtest_brief=1
   quietly agree "$here/tests/test_backends_agree" --gtest_brief=1 --gtest_filter='*cuda*'
   quietly buffers "$here/tests/test_buffers" --gtest_brief=1 --gtest_filter='*cuda*'
 }
@@ -44,6 +46,11 @@ check() {
 stress() {  # SIZE: slice, quick (minutes) or full (hours)
   export OMP_WAIT_POLICY=passive
   quietly stress "$octocell" stress --backend ours --size "${SIZE:-quick}" -o "$OUT/stress.json"
+}
+
+near_ties() {  # the predicate against integers: minutes
+  quietly near_ties_gpu "$octocell" near-ties --device --pairs "${NEAR_TIES:-2e9}" -o "$OUT/near_ties_gpu.json"
+  quietly near_ties_cpu "$octocell" near-ties --pairs "${NEAR_TIES_CPU:-2e8}" -o "$OUT/near_ties_cpu.json"
 }
 
 sanitizers() {  # small scenes: the tools make everything hundreds of times slower

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include <thread>
+#include <vector>
+
+#include "harness/near_ties/near_ties.hpp"
+
+namespace octocell::near_ties {
+
+Tally try_on_host(Family family, std::uint64_t begin, std::uint64_t end, int threads) {
+  const auto stride = static_cast<std::uint64_t>(threads);
+  std::vector<Tally> tallies(stride);
+  {
+    std::vector<std::jthread> workers;
+    for (std::uint64_t t = 0; t < stride; ++t) {
+      workers.emplace_back([&, t] { tallies[t] = try_pairs(family, begin + t, end, stride); });
+    }
+  }
+  Tally sum;
+  for (const Tally& tally : tallies) add(sum, tally);
+  return sum;
+}
+
+}  // namespace octocell::near_ties

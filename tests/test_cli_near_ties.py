@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MIT
+"""octocell near-ties: the predicate against integers, on pairs that nearly touch."""
+
+import json
+from pathlib import Path
+
+from program import Octocell
+
+FAMILIES = ["tangent", "offset", "exponents", "lattice", "wide", "decimals"]
+
+
+def test_counts_near_ties_of_every_family(octocell: Octocell, tmp_path: Path) -> None:
+    octocell.ok("near-ties", "--pairs", "2000", "-o", tmp_path / "near_ties.json")
+    document = json.loads((tmp_path / "near_ties.json").read_text(encoding="utf-8"))
+    assert document["where"] == "CPU" and "commit" in document["context"]
+    assert [family["name"] for family in document["families"]] == FAMILIES
+    for family in document["families"]:
+        assert family["tried"] >= family["pairs"] >= 2000
+        assert family["mismatches"] == 0
+        assert 0 < family["float32_wrong"] < family["pairs"]
+
+
+def test_refuses_what_makes_no_sense(octocell: Octocell, tmp_path: Path) -> None:
+    for arguments in (["--pairs", "0"], ["--pairs", "nan"], ["-o", tmp_path]):
+        result = octocell.run("near-ties", *arguments)
+        assert result.rc == 2 and result.stderr.count("\n") == 1, result.stderr
