@@ -32,6 +32,10 @@ bool has_time_for(const Implementation& how, Rows rows) {
   if (rows == Rows::device_default) return on_device && is_default;
   if (rows == Rows::ablation) return !how.is_baseline() && !how.exhibit();
   if (rows == Rows::device) return on_device;
+  if (rows == Rows::error) {
+    const bool of_a_library = is_among(kFastBaselines) || how.has_known_faults();
+    return how.is_baseline() ? of_a_library : is_default;
+  }
   if (rows == Rows::headline) return on_device || is_default;
   if (rows == Rows::fast) {
     const bool home_phantom = how.has_rule() && how.rule == Rule::lowest_cell;
@@ -92,6 +96,10 @@ std::vector<RowSpec> rows_of(const Group& group, std::string_view backend,
     if (group.rows == Rows::ablation) {
       rows.push_back({how, 1, group.moves() ? Run::dynamic : Run::warm});
       if (how.planned()) add_ablation(rows, RowSpec(rows.back()));
+      continue;
+    }
+    if (group.rows == Rows::error) {
+      rows.push_back({how, 1, Run::warm});
       continue;
     }
     for (const int threads : thread_counts(how)) {
