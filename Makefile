@@ -17,7 +17,7 @@ export OCTOCELL_CUDA
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build test compilers fuzz stress stress-full bench bench-full bench-sort ablation report readme sanitize cuda-toolkit bundle clean
+.PHONY: help setup build test compilers fuzz stress stress-full bench bench-full bench-sort ablation error report readme sanitize cuda-toolkit bundle clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -71,6 +71,10 @@ bench-sort: build ## Time our radix sort beside the sorts of libraries (a minute
 ablation: build ## Time the plan with and without each skip, and all that can be forced (minutes), draw the plots
 	@$(BUILD)/octocell bench --preset ablation -o reports/out/ablation.json
 	@$(PYTHON) -m octocell_report ablation reports/out/ablation.json -o reports/out
+
+error: build ## Time our plans and libraries beside what each gets wrong (minutes), draw the plots
+	@$(BUILD)/octocell bench --preset error --no-memory --timeout 3 -o reports/out/error.json
+	@$(PYTHON) -m octocell_report error reports/out/error.json -o reports/out
 
 report: setup ## Draw plots and the page again from RESULT (default reports/out/bench.json)
 	@$(PYTHON) -m octocell_report build $(RESULT) -o reports/out

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Pairs = NDArray[np.uint32]  # (m, 2), i < j, sorted
+Depths = NDArray[np.float32]  # (m,), as the pairs
 
 
 def exact_pairs(spheres: NDArray[np.float32] | NDArray[np.float64]) -> Pairs:
@@ -24,6 +25,23 @@ def exact_pairs(spheres: NDArray[np.float32] | NDArray[np.float64]) -> Pairs:
         if sum((p - q) ** 2 for p, q in zip(a[:3], b[:3], strict=True)) <= (a[3] + b[3]) ** 2
     ]
     return np.array(found, np.uint32).reshape(-1, 2)
+
+
+def depth_is_within(
+    a: NDArray[np.float32], b: NDArray[np.float32], depth: float, ulps: Fraction
+) -> bool:
+    """Is r_a + r_b - |p - q| so near to `depth`, in units of float32's last place there?"""
+    p, q = ([Fraction(float(value)) for value in row] for row in (a, b))
+    reach, distance2 = p[3] + q[3], sum((s - t) ** 2 for s, t in zip(p[:3], q[:3], strict=True))
+    if np.isinf(depth):  # what is no nearer to the largest float than to 2^128
+        most = Fraction(2**128 - 2**103)
+        return depth > 0 and reach >= most and (reach - most) ** 2 >= distance2
+    unit = Fraction(2) ** max(int(np.frexp(depth)[1]) - 24, -149)
+    # reach - |p - q| <= high if and only if |p - q| >= reach - high; squares decide, without roots.
+    low, high = Fraction(depth) - ulps * unit, Fraction(depth) + ulps * unit
+    return (reach - high <= 0 or (reach - high) ** 2 <= distance2) and (
+        reach - low >= 0 and (reach - low) ** 2 >= distance2
+    )
 
 
 def checksum(pairs: Pairs) -> str:

@@ -23,9 +23,10 @@ TINY = ("--rounds", ROUNDS, "--benchmark_min_time=0.001")
 BACKEND_STAGES = ["bounds", "cell_ids", "sort", "cell_index", "pair_tests", "resolve"]
 CONTEXT = """date commit dirty version machine compiler flags instruction_set build_type libraries
 preset rounds candidate_limit gpu finished""".split()
-GROUP = "scene n spec real unavailable frames truth".split()
-ROW = """name backend kind method rule predicate skips scene n threads run exhibit known_faults status reason pairs
-checksum missed false duplicates candidates doubts iterations total_ms stage_ms marked_total_ms
+GROUP = "scene n spec real unavailable frames scene_class input_rounding truth".split()
+ROW = """name backend kind method rule predicate skips scene n threads run exhibit known_faults
+status reason pairs checksum missed false duplicates worst_missed_depth worst_false_gap
+distinct_checksums candidates doubts iterations total_ms stage_ms marked_total_ms
 plan_ms plan fused stage_bytes peak_bytes device_bytes output_bytes""".split()
 
 Json = dict[str, Any]
@@ -70,6 +71,8 @@ def test_group(tiny: Json, octocell: Octocell) -> None:
         "real": False,
         "unavailable": None,
         "frames": 1,
+        "scene_class": None,
+        "input_rounding": None,
         "truth": {"pairs": answer["pairs"], "checksum": answer["checksum"]},
     }
 
@@ -119,9 +122,12 @@ def test_every_row_that_is_no_exhibit_is_right(tiny: Json, tiny_runs: list[Json]
         if row["exhibit"]:
             assert (row["status"], row["false"], row["duplicates"]) == ("wrong", 0, 0)
             assert row["missed"] == truth["pairs"] - row["pairs"] > 0
+            assert 0 < row["worst_missed_depth"] <= 1
             continue
         assert (row["status"], row["reason"]) == ("ok", None)
         assert (row["missed"], row["false"], row["duplicates"]) == (0, 0, 0)
+        assert (row["worst_missed_depth"], row["worst_false_gap"]) == (None, None)
+        assert row["distinct_checksums"] == 1
         assert {key: row[key] for key in truth} == truth
 
 
@@ -176,7 +182,8 @@ def test_skipped_rows_say_why(octocell: Octocell, tmp_path: Path) -> None:
         why_not = octocell.unavailable().get(row["backend"], "rule chapter32 does not hold")
         assert why_not in row["reason"]
         assert set(row) == set(ROW)
-        nulls = "pairs checksum missed false duplicates candidates doubts".split()
+        nulls = """pairs checksum missed false duplicates worst_missed_depth worst_false_gap
+        distinct_checksums candidates doubts""".split()
         assert {row[key] for key in nulls} == {None}
         assert row["total_ms"] == []
 

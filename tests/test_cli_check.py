@@ -13,7 +13,7 @@ from program import ROOT, Octocell
 from exact import exact_pairs
 from hard_scenes import SCENES
 
-GENERATORS = "gas dense poly cluster lattice shifted giant discs identical chain".split()
+GENERATORS = "gas dense poly cluster lattice shifted giant discs identical chain fcc".split()
 
 
 def labels(octocell: Octocell) -> list[str]:
@@ -50,7 +50,10 @@ def test_check_reports_known_faults_and_fails_for_them_if_strict(octocell: Octoc
     assert octocell.faulty() == {"fcl_sap", "fcl_interval_tree", "fcl_spatial_hashing"}
     args = ("check", "lattice:n=3000", "--backend", "fcl_sap")
     text = octocell.ok(*args).stdout
-    row = r"^  fcl_sap +wrong: missed [1-9]\d*, false 0, duplicates 0 \(a known fault of the library"
+    row = (
+        r"^  fcl_sap +wrong: missed [1-9]\d* \([\d.e+]+ per million, deepest 0 of r1 \+ r2\), false 0,"
+        r" duplicates 0 \(a known fault of the library"
+    )
     assert re.search(row, text, re.MULTILINE), text
     assert "0 exact, 0 wrong, 1 known faults, 0 exhibits with losses, 0 skipped" in text
     assert octocell.run(*args, "--strict").rc == 1
@@ -90,8 +93,12 @@ def test_check_of_one_backend(octocell: Octocell) -> None:
 def test_check_shows_the_losses_of_as_written(octocell: Octocell) -> None:
     text = octocell.ok("check", "gas:n=2000", "--backend", "impl_cpu").stdout
     row = next(line for line in text.splitlines() if "as_written" in line)
-    missed = re.search(r"missed (\d+), false 0, duplicates 0 \(an exhibit", row)
+    losses = r"missed (\d+) \((\S+) per million, deepest (\S+) of r1 \+ r2\), false 0, duplicates 0"
+    missed = re.search(losses + r" \(an exhibit", row)
     assert missed and int(missed[1]) > 0
+    true_pairs = int(re.search(r"(\d+) pairs\)", text)[1])
+    assert float(missed[2]) == pytest.approx(1e6 * int(missed[1]) / true_pairs, rel=1e-2)
+    assert 0 < float(missed[3]) <= 1
     assert "1 exhibits with losses" in text
 
 

@@ -284,6 +284,14 @@ def test_round_input_says_what_rounding_changed(
     assert pairs.tolist() == [[0, 1], [4, 5]]
 
 
+def test_round_input_of_a_generator_tells_what_it_rounded(octocell: Octocell) -> None:
+    far = octocell.find("shifted:n=2000,offset=1e7", "--round-input")
+    assert far["rounding"]["lost"] > 0 < far["rounding"]["gained"]
+    plain = octocell.find("shifted:n=2000,offset=1e7")
+    assert "rounding" not in plain and plain["checksum"] == far["checksum"]
+    assert octocell.find("chain:n=200", "--round-input")["rounding"] == {"lost": 0, "gained": 0}
+
+
 def test_round_input_leaves_float32_alone(octocell: Octocell, tmp_path: Path) -> None:
     np.save(tmp_path / "four.npy", FOUR)
     assert "rounding" not in octocell.find(tmp_path / "four.npy", "--round-input")

@@ -56,7 +56,7 @@ TEST(Reference, CountsIntegerLatticesAsTheClosedFormDoes) {
 TEST(Reference, BothMethodsAgree) {
   for (const char* spec : {"gas:n=3000", "dense:n=2000", "poly:n=3000", "cluster:n=3000",
                            "lattice:n=3000", "shifted:n=3000,offset=1e7", "giant:n=3000",
-                           "identical:n=500", "discs:n=3000", "chain:n=1000"}) {
+                           "identical:n=500", "discs:n=3000", "chain:n=1000", "fcc:n=3000"}) {
     const Scene scene = generate(spec);
     EXPECT_EQ(brute_force(scene.spheres), box_tree(scene.spheres)) << spec;
   }

@@ -57,6 +57,36 @@ TEST_F(SceneSaving, PairsAreUnsignedRows) {
   EXPECT_EQ(bytes.substr(128), bytes_of(0U, 1U, 7U, 0xfffffffU));
 }
 
+TEST_F(SceneSaving, DepthsAreAListOfFloatsBesideThePairs) {
+  const Pair pairs[] = {{0, 1}, {2, 3}, {2, 4}};
+  const float depths[] = {0.5F, 0.0F, 1.0F};
+  save_depths(path("depths.npy"), depths, path("pairs.npy"), pairs);
+  const std::string bytes = content(path("depths.npy"));
+  ASSERT_EQ(bytes.size(), 128U + sizeof depths);
+  const std::string dictionary = "{'descr': '<f4', 'fortran_order': False, 'shape': (3,), }";
+  EXPECT_EQ(bytes.substr(10, dictionary.size()), dictionary);
+  EXPECT_EQ(bytes.substr(128), std::string("\0\0\0\x3f\0\0\0\0\0\0\x80\x3f", 12));
+  const std::string both = content(path("pairs.npy"));
+  save_pairs(path("pairs.npy"), pairs);
+  EXPECT_EQ(both, content(path("pairs.npy")));
+  save_depths(path("alone.npy"), depths);
+  EXPECT_EQ(content(path("alone.npy")), bytes);
+  EXPECT_EQ(files_in_folder(), 3U);
+}
+
+TEST_F(SceneSaving, DepthsAndPairsAppearBothOrNot) {
+  const Pair pairs[] = {{0, 1}};
+  const float depths[] = {0.5F};
+  for (const std::string& bad : {path("absent/pairs.npy"), path("pairs.txt"), path("same.npy")}) {
+    EXPECT_THROW(save_depths(path("same.npy"), depths, bad, pairs), InputError) << bad;
+    EXPECT_THROW(
+        save_depths(bad == path("same.npy") ? path("x.txt") : bad, depths, path("same.npy"), pairs),
+        InputError)
+        << bad;
+    EXPECT_EQ(files_in_folder(), 0U) << bad;
+  }
+}
+
 TEST_F(SceneSaving, FullDeviceIsAnErrorAndStaysADevice) {
   expect_failure("/dev/full", "No space left on device");
   struct stat status = {};

@@ -66,6 +66,7 @@ TEST(Scenes, HaveTheSameBitsEverywhere) {
       {"discs:n=1000", 0x5496ffad30d34e35u},
       {"identical:n=1000", 0xf58a0f97b24c5c25u},
       {"chain:n=1000", 0x50f731fccfcffeb2u},
+      {"fcc:n=1000", 0x5ce490add47e6c5au},
       {"gas:n=1e5", 0xe9e4eaacbd63c926u},
       {"gas:n=1e5,seed=7", 0x8b4601bd7a7a697bu},
       {"lattice:n=1000,shuffle=1,spacing=0.1", 0x2d1e513751247585u},
@@ -87,6 +88,18 @@ TEST(Scenes, AllAreValidAndHaveAsManySpheresAsAsked) {
       EXPECT_FALSE(scene.unrounded.has_value());
     }
   }
+}
+
+TEST(Scenes, RoundEachNumberOnceAndCanShowWhatItWas) {
+  for (const SceneInfo& info : scenes()) {
+    const Scene scene = generate(std::string(info.name) + ":n=1000", {.round_input = true});
+    ASSERT_TRUE(scene.unrounded.has_value()) << info.name;
+    std::vector<Sphere> once;
+    for (const DoubleSphere& s : *scene.unrounded) once.push_back(rounded(s));
+    EXPECT_EQ(checksum(once), checksum(scene.spheres)) << info.name;
+  }
+  const Scene far = generate("shifted:n=1000,offset=1e7", {.round_input = true});
+  EXPECT_NE(far.unrounded->at(0).x, far.spheres[0].x);
 }
 
 TEST(Scenes, SpecSpeltOutGivesTheSameSceneAgain) {
@@ -214,6 +227,19 @@ TEST(Scenes, ChainAndIdenticalHaveKnownPairs) {
   EXPECT_EQ(count_pairs(generate("chain:n=500").spheres), 499U);
   EXPECT_EQ(count_pairs(generate("chain:n=500,spacing=1.25").spheres), 0U);
   EXPECT_EQ(count_pairs(generate("identical:n=100").spheres), 4950U);
+}
+
+/// Of 20^3 / 2 points 3 * 20 * 19^2 couples are neighbours; roundings part some of them.
+TEST(Scenes, DensestPackingTouchesUpToRoundings) {
+  const auto pairs_if_radii_grow_by = [](float growth) {
+    std::vector<Sphere> spheres = generate("fcc:n=4000").spheres;
+    for (Sphere& s : spheres) s.r += growth;
+    return count_pairs(spheres);
+  };
+  EXPECT_EQ(pairs_if_radii_grow_by(1e-5F), 21660U);
+  EXPECT_EQ(pairs_if_radii_grow_by(-1e-5F), 0U);
+  EXPECT_GT(pairs_if_radii_grow_by(0.0F), 5000U);
+  EXPECT_LT(pairs_if_radii_grow_by(0.0F), 17000U);
 }
 
 TEST(Scenes, UnknownNameIsRefusedWithTheKnownOnes) {

@@ -67,6 +67,9 @@ Subject film(const Group& group) {
     subject.digests.push_back(digest_of(truth));
     if (subject.digests.size() == 1) subject.truth = std::move(truth);
   }
+  if (footage.unrounded) {
+    subject.rounding = reference::rounding_effect(*footage.unrounded, subject.flags, subject.truth);
+  }
   return subject;
 }
 
@@ -78,6 +81,16 @@ bool is_failure(const RowRunner& runner) {
   return runner.result().wrong() && !how.exhibit() && !excused;
 }
 
+nlohmann::ordered_json class_of(const Group& group) {
+  if (group.scene_class.empty()) return nullptr;
+  return group.scene_class;
+}
+
+nlohmann::ordered_json describe_rounding(const std::optional<reference::RoundingEffect>& effect) {
+  if (!effect) return nullptr;
+  return {{"lost", effect->lost}, {"gained", effect->gained}};
+}
+
 nlohmann::ordered_json describe_group(const Group& group, const Subject& subject) {
   return {{"scene", group.scene},
           {"n", group.n},
@@ -85,6 +98,8 @@ nlohmann::ordered_json describe_group(const Group& group, const Subject& subject
           {"real", group.real},
           {"unavailable", nullptr},
           {"frames", subject.frames.size()},
+          {"scene_class", class_of(group)},
+          {"input_rounding", describe_rounding(subject.rounding)},
           {"truth",
            {{"pairs", subject.digests.front().count},
             {"checksum", fmt::format("{:#018x}", subject.digests.front().checksum)}}}};
@@ -97,6 +112,8 @@ nlohmann::ordered_json describe_missing(const Group& group) {
           {"real", group.real},
           {"unavailable", group.unavailable},
           {"frames", 0},
+          {"scene_class", class_of(group)},
+          {"input_rounding", nullptr},
           {"truth", nullptr}};
 }
 
@@ -144,7 +161,7 @@ class Bench {
     for (const auto& [group, rows] : groups_) {
       for (const RowSpec& row : rows) {
         steps.push_back({row.how.label(), static_cast<double>(group.n),
-                         (2.0 + 2.0 * group.rounds) * group.frames});
+                         (2.0 + 2.0 * group.rounds_of(row.how.is_baseline())) * group.frames});
       }
     }
     return steps;
@@ -215,6 +232,7 @@ class Bench {
       std::shuffle(order.begin(), order.end(), shuffler);
       for (ActiveRow* row : order) {
         if (interrupted()) return;
+        if (!takes_part(round, group, *row->runner)) continue;
         show(group, *row->runner, row->step,
              fmt::format("round {} of {}", round + 1, group.rounds));
         const auto begin = std::chrono::steady_clock::now();
@@ -222,6 +240,12 @@ class Bench {
         progress_.learn(row->step, seconds_since(begin), (2.0 + round) / (1.0 + group.rounds));
       }
     }
+  }
+
+  /// A row with fewer rounds than its group has them spread over the whole.
+  static bool takes_part(int round, const Group& group, const RowRunner& runner) {
+    const int own_rounds = group.rounds_of(runner.row().how.is_baseline());
+    return round * own_rounds % group.rounds < own_rounds;
   }
 
   /// What fitted once may not fit beside others: the device's memory is shared.
@@ -237,8 +261,8 @@ class Bench {
   int finish() {
     if (!interrupted()) results_.finish();
     results_.write();
-    progress_.note(fmt::format(
-        "{}{}", interrupted() ? "interrupted; finished groups are in " : "", options_.output));
+    progress_.note(fmt::format("{}{}", interrupted() ? "interrupted; finished groups are in " : "",
+                               options_.output));
     if (interrupted()) return kExitInterrupted;
     return any_wrong_ ? kExitWrongAnswer : 0;
   }

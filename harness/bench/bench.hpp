@@ -10,12 +10,13 @@
 namespace octocell::bench {
 
 struct BenchOptions {
-  std::string preset = "quick";      // quick, full or gpu; which scenes, sizes and rounds
+  std::string preset = "quick";      // a name of choose_groups(); which scenes, sizes and rounds
   std::vector<std::string> scenes;   // instead of the preset's
   std::optional<std::string> flags;  // of the one scene named: a side file
   std::string motion;                // sets those scenes in motion
   std::string trajectory;            // a folder of frames, *.npy
   int frames = 20;                   // of a motion
+  bool round_input = false;          // accept float64 files; say what rounding changed
   std::string backend = "all";
   std::string output = "reports/out/bench.json";
   std::string filter;         // regular expression on row names; empty: all
@@ -41,7 +42,8 @@ int run_bench(const BenchOptions& options);
 struct MemoryOptions {
   std::string scene;
   std::optional<std::string> flags;  // a side file
-  std::string row;                   // Implementation::label()
+  bool round_input = false;
+  std::string row;  // Implementation::label()
   int threads = 1;
 };
 int run_memory_child(const MemoryOptions& options);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <string_view>
@@ -45,9 +46,26 @@ Group molecule(int rounds) {
 }
 
 /// A scene of the caller's.
-Group custom(const std::string& argument, const std::optional<std::string>& flags) {
-  const Scene scene = load_or_generate(argument, {.flags = flags});
-  return {.scene = scene.name, .n = scene.spheres.size(), .argument = argument, .flags = flags};
+Group custom(const std::string& argument, const LoadOptions& options = {}) {
+  const Scene scene = load_or_generate(argument, options);
+  return {.scene = scene.name,
+          .n = scene.spheres.size(),
+          .argument = argument,
+          .flags = options.flags,
+          .round_input = options.round_input};
+}
+
+/// A preset's generator with parameters, which its label tells: poly(ratio=1e6).
+Group special(std::string_view argument, int rounds, Rows rows) {
+  Group group = custom(std::string(argument));
+  group.scene = argument.substr(0, argument.find(':'));
+  const std::size_t comma = argument.find(',');
+  if (comma != std::string_view::npos) {
+    group.scene += fmt::format("({})", argument.substr(comma + 1));
+  }
+  group.rounds = rounds;
+  group.rows = rows;
+  return group;
 }
 
 /// gas, gas#2: scenes that differ in a seed only must not share the names of their rows.
@@ -153,15 +171,36 @@ std::vector<Group> ablation_groups() {
   std::vector<Group> groups;
   for (const std::uint64_t n : {100ULL, 10'000ULL}) add(groups, "gas", n, kRounds, Rows::ablation);
   for (const auto scene : kScenes) add(groups, scene, 100'000, kRounds, Rows::ablation);
-  for (const auto scene : kHard) {
-    groups.push_back(custom(std::string(scene), {}));
-    groups.back().scene = scene.substr(0, scene.find(':'));
-    const std::size_t comma = scene.find(',');
-    if (comma != std::string_view::npos) {
-      groups.back().scene += fmt::format("({})", scene.substr(comma + 1));
-    }
-    groups.back().rounds = kRounds;
-    groups.back().rows = Rows::ablation;
+  for (const auto scene : kHard) groups.push_back(special(scene, kRounds, Rows::ablation));
+  return groups;
+}
+
+/// Run time against error: scenes without structure, with ties everywhere, and of extreme numbers.
+/// Small ones where libraries that lose pairs would not end in time on large ones.
+std::vector<Group> error_groups() {
+  constexpr int kRounds = 41;
+  constexpr int kBaselineRounds = 5;
+  constexpr std::pair<std::string_view, std::string_view> kClassesAndScenes[] = {
+      {"random", "gas:n=100000"},
+      {"random", "dense:n=100000"},
+      {"random", "poly:n=100000"},
+      {"random", "cluster:n=100000"},
+      {"structured", "lattice:n=10000"},
+      {"structured", "lattice:n=100000"},
+      {"structured", "lattice:n=100000,spacing=0.1"},
+      {"structured", "fcc:n=100000"},
+      {"structured", "chain:n=10000"},
+      {"extreme", "shifted:n=100000,offset=1e4"},
+      {"extreme", "shifted:n=10000,offset=1e7"},
+      {"extreme", "shifted:n=100000,offset=1e7"},
+      {"extreme", "giant:n=100000"},
+      {"extreme", "poly:n=100000,ratio=1e6"}};
+  std::vector<Group> groups;
+  for (const auto& [scene_class, scene] : kClassesAndScenes) {
+    groups.push_back(special(scene, kRounds, Rows::error));
+    groups.back().scene_class = scene_class;
+    groups.back().round_input = true;
+    groups.back().baseline_rounds = kBaselineRounds;
   }
   return groups;
 }
@@ -173,7 +212,7 @@ std::vector<Group> custom_groups(const BenchOptions& options) {
   }
   std::vector<Group> groups;
   for (const std::string& scene : options.scenes) {
-    groups.push_back(custom(scene, options.flags));
+    groups.push_back(custom(scene, {.flags = options.flags, .round_input = options.round_input}));
     if (options.motion.empty()) continue;
     groups.back().motion = motion_named(options.motion);
     groups.back().scene += "_" + options.motion;
@@ -191,12 +230,16 @@ std::vector<Group> custom_groups(const BenchOptions& options) {
 
 Footage footage_of(const Group& group) {
   if (!group.trajectory.empty()) return {group.trajectory, load_frames(group.trajectory), {}};
-  Scene scene = load_or_generate(group.argument, {.flags = group.flags});
-  if (!group.motion) return {scene.spec, {std::move(scene.spheres)}, std::move(scene.flags)};
+  Scene scene =
+      load_or_generate(group.argument, {.flags = group.flags, .round_input = group.round_input});
+  if (!group.motion) {
+    return {
+        scene.spec, {std::move(scene.spheres)}, std::move(scene.flags), std::move(scene.unrounded)};
+  }
   return {fmt::format("{} {} frames={}", scene.spec,
                       kMotionNames[static_cast<std::size_t>(*group.motion)], group.frames),
           move(scene.spheres, *group.motion, group.frames, kMotionSeed, scene.flags),
-          std::move(scene.flags)};
+          std::move(scene.flags), std::move(scene.unrounded)};
 }
 
 std::vector<Group> choose_groups(const BenchOptions& options) {
@@ -204,17 +247,23 @@ std::vector<Group> choose_groups(const BenchOptions& options) {
       {"quick", quick_groups},
       {"full", full_groups},
       {"gpu", gpu_groups},
-      {"ablation", ablation_groups}};
+      {"ablation", ablation_groups},
+      {"error", error_groups}};
   const auto preset = presets.find(options.preset);
   if (preset == presets.end()) {
-    throw InputError(
-        fmt::format("unknown preset '{}'; known: quick, full, gpu, ablation", options.preset));
+    throw InputError(fmt::format("unknown preset '{}'; known: quick, full, gpu, ablation, error",
+                                 options.preset));
   }
   std::vector<Group> groups = custom_groups(options);
   if (groups.empty()) groups = preset->second();
   make_labels_distinct(groups);
   if (options.rounds) {
-    for (Group& group : groups) group.rounds = *options.rounds;
+    for (Group& group : groups) {
+      group.rounds = *options.rounds;
+      if (group.baseline_rounds) {
+        group.baseline_rounds = std::min(group.rounds, *group.baseline_rounds);
+      }
+    }
   }
   return groups;
 }

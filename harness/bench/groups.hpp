@@ -20,6 +20,7 @@ enum class Rows : std::uint8_t {
   usual,           // all methods and rules, and the broad phases that are meant for many spheres
   every,           // those that look at nearly all pairs, too
   ablation,        // the plan with and without each skip, and each method that can be forced
+  error,           // our plans, each library's fastest, and those that can lose pairs
 };
 
 /// Rows that are interleaved with each other: one scene at one size.
@@ -32,11 +33,17 @@ struct Group {
   std::optional<Motion> motion = {};      // of a group that moves
   std::string trajectory = {};            // or the folder of its frames
   int frames = 1;
-  bool real = false;  // a file fetched at set-up; it may be missing
+  bool real = false;             // a file fetched at set-up; it may be missing
+  std::string scene_class = {};  // of preset error: random, structured, extreme
+  bool round_input = false;      // ask what rounding from float64 changed
   int rounds = 5;
+  std::optional<int> baseline_rounds = {};  // fewer of them, spread over the others
   Rows rows = Rows::every;
 
   [[nodiscard]] bool moves() const { return motion || !trajectory.empty(); }
+  [[nodiscard]] int rounds_of(bool baseline) const {
+    return baseline ? baseline_rounds.value_or(rounds) : rounds;
+  }
 };
 
 /// The spheres of a group, frame by frame; one frame where nothing moves.
@@ -44,6 +51,7 @@ struct Footage {
   std::string spec;  // gives the same frames again
   Frames frames;
   std::vector<Flags> flags;  // of each sphere, in all frames; or none
+  std::optional<std::vector<DoubleSphere>> unrounded = {};  // the first frame, if it was asked for
 };
 Footage footage_of(const Group& group);
 

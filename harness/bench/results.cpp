@@ -35,6 +35,9 @@ Json identity(const Group& group, const RowSpec& row) {
 void add_answer(Json& json, const RowSpec& row, const RowResult& result) {
   const bool skipped = result.skipped.has_value();
   const auto unless_skipped = [skipped](auto value) { return skipped ? Json() : Json(value); };
+  const auto if_any = [skipped](const std::optional<double>& value) {
+    return skipped || !value ? Json() : Json(*value);
+  };
   json["status"] = skipped ? "skipped" : result.wrong() ? "wrong" : "ok";
   json["reason"] = skipped ? Json(*result.skipped) : Json();
   json["pairs"] = unless_skipped(result.digest.count);
@@ -42,6 +45,9 @@ void add_answer(Json& json, const RowSpec& row, const RowResult& result) {
   json["missed"] = unless_skipped(result.difference.missed);
   json["false"] = unless_skipped(result.difference.false_pairs);
   json["duplicates"] = unless_skipped(result.difference.duplicates);
+  json["worst_missed_depth"] = if_any(result.difference.worst_missed_depth);
+  json["worst_false_gap"] = if_any(result.difference.worst_false_gap);
+  json["distinct_checksums"] = unless_skipped(result.distinct_checksums());
   json["candidates"] = unless_skipped(result.counts.candidates);
   json["doubts"] = row.how.is_baseline() ? Json() : unless_skipped(result.counts.doubts);
 }

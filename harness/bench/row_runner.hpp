@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,10 @@ namespace octocell::bench {
 struct Subject {
   std::string spec;
   Frames frames;
-  std::vector<Flags> flags;         // of each sphere, in all frames; or none
-  std::vector<Pair> truth;          // of frames[0]
-  std::vector<PairDigest> digests;  // of each frame's exact pairs
+  std::vector<Flags> flags;                                // of each sphere, in all frames; or none
+  std::vector<Pair> truth;                                 // of frames[0]
+  std::vector<PairDigest> digests;                         // of each frame's exact pairs
+  std::optional<reference::RoundingEffect> rounding = {};  // of frames[0], from float64
 
   [[nodiscard]] SceneView view(std::size_t frame = 0) const { return {frames[frame], flags}; }
 };
@@ -30,6 +32,7 @@ struct RowResult {
   std::optional<std::string> skipped;  // why
   PairDigest digest;
   reference::Comparison difference;
+  std::vector<std::set<std::uint64_t>> checksums;  // of each frame: all that its runs gave
   Counts counts;
   Plan plan;  // ours: what was decided for the scene
   double plan_ms = 0.0;
@@ -43,6 +46,8 @@ struct RowResult {
   std::optional<std::uint64_t> device_bytes;  // of the device's, at its peak
 
   [[nodiscard]] bool wrong() const { return !skipped && !difference.exact(); }
+  /// 1 if every run gave the same pairs; of a row with frames, those of the frame that varied most.
+  [[nodiscard]] std::size_t distinct_checksums() const;
 };
 
 /// Runs one row: first to see whether it is right, then round by round.

@@ -32,6 +32,10 @@ bool has_time_for(const Implementation& how, Rows rows) {
   if (rows == Rows::device_default) return on_device && is_default;
   if (rows == Rows::ablation) return !how.is_baseline() && !how.exhibit();
   if (rows == Rows::device) return on_device;
+  if (rows == Rows::error) {
+    const bool of_a_library = is_among(kFastBaselines) || how.has_known_faults();
+    return how.is_baseline() ? of_a_library : is_default;
+  }
   if (rows == Rows::headline) return on_device || is_default;
   if (rows == Rows::fast) {
     const bool home_phantom = how.has_rule() && how.rule == Rule::lowest_cell;
@@ -44,6 +48,12 @@ std::vector<int> thread_counts(const Implementation& how) {
   const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   if (!how.backend->threaded || !how.planned() || all == 1) return {1};
   return {1, all};
+}
+
+void add_without(std::vector<RowSpec>& rows, RowSpec row, Skip skip) {
+  row.skips = fmt::format("no_{}", name_of(skip));
+  row.allowed = Skips::all().without(skip);
+  rows.push_back(std::move(row));
 }
 
 /// A planned row with each skip alone forbidden, with all, and with the first few allowed: from a
@@ -68,8 +78,15 @@ void add_ablation(std::vector<RowSpec>& rows, const RowSpec& planned) {
   }
   for (std::size_t k = 0; k < kSkipCount; ++k) {
     const auto skip = static_cast<Skip>(k);
-    if (counts(skip)) add(fmt::format("no_{}", name_of(skip)), Skips::all().without(skip));
+    if (counts(skip)) add_without(rows, planned, skip);
   }
+}
+
+/// What may answer at all.
+std::vector<Implementation> candidates_for(Rows rows, std::string_view backend) {
+  std::vector<Implementation> all = implementations(backend);
+  if (rows == Rows::error) std::ranges::copy(other_predicates(backend), std::back_inserter(all));
+  return all;
 }
 
 }  // namespace
@@ -89,12 +106,18 @@ std::string row_name(const RowSpec& row, const Group& group) {
 std::vector<RowSpec> rows_of(const Group& group, std::string_view backend,
                              const std::regex& filter) {
   std::vector<RowSpec> rows;
-  for (const Implementation& how : implementations(backend)) {
+  for (const Implementation& how : candidates_for(group.rows, backend)) {
     if (!has_time_for(how, group.rows)) continue;
     if (group.moves() && how.exhibit()) continue;  // its losses do not depend on motion
     if (group.rows == Rows::ablation) {
       rows.push_back({how, 1, group.moves() ? Run::dynamic : Run::warm});
       if (how.planned()) add_ablation(rows, RowSpec(rows.back()));
+      continue;
+    }
+    if (group.rows == Rows::error) {
+      rows.push_back({how, 1, Run::warm});
+      const bool exact = how.planned() && how.predicate == Predicate::exact;
+      if (exact) add_without(rows, RowSpec(rows.back()), Skip::doubts);
       continue;
     }
     for (const int threads : thread_counts(how)) {

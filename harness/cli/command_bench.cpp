@@ -18,6 +18,7 @@ void add_memory_child(CLI::App& app, Command& command) {
   sub->group("");  // not in the help: the bench starts it
   sub->add_option("SCENE", o->scene)->required();
   sub->add_option("--flags", o->flags);
+  sub->add_flag("--round-input", o->round_input);
   sub->add_option("--row", o->row)->required();
   sub->add_option("--threads", o->threads);
   sub->callback([&command, o] { command = [o] { return bench::run_memory_child(*o); }; });
@@ -33,10 +34,12 @@ void add_bench(CLI::App& app, Command& command) {
       "Time every implementation; Google Benchmark's flags (--benchmark_...) pass through");
   sub->add_option("SCENE", o->scenes, "Scenes to time instead of a preset's");
   sub->add_option("--flags", o->flags, kFlagsHelp);
+  sub->add_flag("--round-input", o->round_input, kRoundInputHelp);
   sub->add_option("--preset", o->preset,
-                  "quick (minutes, default), full (an hour), gpu or ablation");
+                  "quick (minutes, default), full (an hour), gpu, ablation or error");
   sub->add_option("--backend", o->backend, "A backend, a baseline, or all");
-  sub->add_option("--motion", o->motion, fmt::format("Move those scenes: {}", fmt::join(kMotionNames, ", ")));
+  sub->add_option("--motion", o->motion,
+                  fmt::format("Move those scenes: {}", fmt::join(kMotionNames, ", ")));
   sub->add_option("--frames", o->frames, "Frames of a motion")->check(CLI::Range(2, 100000));
   sub->add_option("--trajectory", o->trajectory, "A folder of frames (*.npy) to time");
   sub->add_option("-o,--output", o->output, "JSON to write (default reports/out/bench.json)");

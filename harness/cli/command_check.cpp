@@ -47,10 +47,28 @@ struct Found {
   std::vector<Pair> pairs;
 };
 
-Verdict judge(const Implementation& how, const reference::Comparison& difference) {
+/// "12 (3.1 per million, deepest 0.02 of r1 + r2)", "0"
+std::string wrong_pairs(std::uint64_t count, std::size_t true_pairs, std::string_view worst_name,
+                        const std::optional<double>& worst) {
+  if (count == 0) return "0";
+  const double rate = 1e6 * static_cast<double>(count) / static_cast<double>(true_pairs);
+  return fmt::format("{} ({}{} {:.2g} of r1 + r2)", count,
+                     true_pairs == 0 ? "" : fmt::format("{:.3g} per million, ", rate), worst_name,
+                     *worst);
+}
+
+std::string text_of(const reference::Comparison& difference, std::size_t true_pairs) {
+  return fmt::format(
+      "missed {}, false {}, duplicates {}",
+      wrong_pairs(difference.missed, true_pairs, "deepest", difference.worst_missed_depth),
+      wrong_pairs(difference.false_pairs, true_pairs, "farthest apart", difference.worst_false_gap),
+      difference.duplicates);
+}
+
+Verdict judge(const Implementation& how, const reference::Comparison& difference,
+              std::size_t true_pairs) {
   if (difference.exact()) return {Grade::exact, "exact"};
-  const std::string losses = fmt::format("missed {}, false {}, duplicates {}", difference.missed,
-                                         difference.false_pairs, difference.duplicates);
+  const std::string losses = text_of(difference, true_pairs);
   if (how.exhibit()) return {Grade::exhibit, losses + " (an exhibit: not counted)"};
   // A library may lose pairs; what it makes up would be ours, for we test its candidates.
   if (how.has_known_faults() && difference.only_missed()) {
@@ -85,7 +103,7 @@ Verdict try_implementation(const Implementation& how, const Scene& scene,
       return {Grade::skipped, fmt::format("{} candidates, over the limit of {}",
                                           found.counts.candidates, options.candidate_limit)};
     }
-    return judge(how, reference::compare(found.pairs, truth));
+    return judge(how, reference::compare(found.pairs, truth, scene.spheres), truth.size());
   } catch (const LimitError& limit) {
     return {Grade::skipped, limit.what()};
   }

@@ -8,6 +8,7 @@
 #include "harness/cli/commands.hpp"
 #include "harness/cli/names.hpp"
 #include "harness/driver/complete.hpp"
+#include "harness/interface/depth.hpp"
 #include "harness/interface/flags.hpp"
 #include "harness/planner/explain.hpp"
 #include "harness/reference/reference.hpp"
@@ -26,8 +27,10 @@ struct Options {
   std::string predicate;
   std::optional<std::string> flags;
   std::optional<std::string> output;
+  std::optional<std::string> depth;
   std::optional<double> cell_side;
   int threads = 0;
+  bool depth_check = false;
   bool count = false;
   bool json = false;
   bool explain = false;
@@ -62,18 +65,9 @@ Implementation chosen_implementation(const Options& options) {
   return chosen;
 }
 
-/// What rounding a float64 file to float32 did to the exact pair set.
-struct RoundingEffect {
-  std::uint64_t lost = 0;
-  std::uint64_t gained = 0;
-};
-
-std::optional<RoundingEffect> rounding_effect(const Scene& scene) {
+std::optional<reference::RoundingEffect> rounding_effect(const Scene& scene) {
   if (!scene.unrounded) return std::nullopt;
-  const std::vector<Pair> before = reference::box_tree(std::span(*scene.unrounded), scene.flags);
-  const std::vector<Pair> after = reference::exact_pairs(scene);
-  const reference::Comparison change = reference::compare(after, before);
-  return RoundingEffect{.lost = change.missed, .gained = change.false_pairs};
+  return reference::rounding_effect(*scene.unrounded, scene.flags, reference::exact_pairs(scene));
 }
 
 std::ptrdiff_t count_static(const Scene& scene) {
@@ -85,7 +79,8 @@ struct Answer {
   Implementation implementation;
   Outcome outcome;
   PairDigest digest;
-  std::optional<RoundingEffect> rounding;
+  std::optional<reference::RoundingEffect> rounding;
+  std::optional<reference::DepthErrors> depth_errors;
 };
 
 nlohmann::ordered_json to_json(const Answer& answer) {
@@ -119,6 +114,12 @@ nlohmann::ordered_json to_json(const Answer& answer) {
   if (answer.rounding) {
     json["rounding"] = {{"lost", answer.rounding->lost}, {"gained", answer.rounding->gained}};
   }
+  if (const auto& errors = answer.depth_errors) {
+    json["depth_error_ulp"] = {{"median", errors->median_ulp},
+                               {"p99", errors->p99_ulp},
+                               {"max", errors->max_ulp},
+                               {"not_nearest", errors->not_nearest}};
+  }
   return json;
 }
 
@@ -144,6 +145,11 @@ void print_text(const Answer& answer) {
   fmt::print("pairs       {}\n", answer.digest.count);
   fmt::print("checksum    {:#018x}\n", answer.digest.checksum);
   fmt::print("candidates  {}\n", answer.outcome.counts.candidates);
+  if (const auto& errors = answer.depth_errors) {
+    fmt::print(
+        "depth error {:.4g} ULP median, {:.4g} p99, {:.7g} max; {} not the nearest float32\n",
+        errors->median_ulp, errors->p99_ulp, errors->max_ulp, errors->not_nearest);
+  }
   if (!how.is_baseline()) fmt::print("planning    {:.3f} ms\n", answer.outcome.plan_ms);
   for (std::size_t s = 0; s < kStageCount; ++s) {
     const auto& ms = answer.outcome.times.stage_ms[s];
@@ -152,12 +158,40 @@ void print_text(const Answer& answer) {
   fmt::print("total       {:.3f} ms\n", answer.outcome.times.total_ms);
 }
 
-int find(const Options& options) {
+void check_outputs(const Options& options) {
   if (options.output && options.output->empty())
     throw InputError("cannot write --output: no file is named");
+  if (options.depth && options.depth->empty())
+    throw InputError("cannot write --depth: no file is named");
   if (options.count && options.output) {
     throw InputError("--count keeps no pairs, so there is nothing to write to --output");
   }
+  if (options.count && (options.depth || options.depth_check)) {
+    throw InputError("--count keeps no pairs, so there are no depths to write or to check");
+  }
+}
+
+/// Writes what is asked for. Depths follow from the pairs alone, whoever found them.
+std::optional<reference::DepthErrors> use_pairs(const Options& options, const Scene& scene,
+                                                PairFinder& finder) {
+  if (!options.output && !options.depth && !options.depth_check) return std::nullopt;
+  const std::vector<Pair> pairs = finder.download();
+  if (!options.depth && !options.depth_check) {
+    save_pairs(*options.output, pairs);
+    return std::nullopt;
+  }
+  const std::vector<float> depths = penetration_depths(scene.spheres, pairs);
+  if (options.depth) {
+    save_depths(*options.depth, depths, options.output.value_or(""), pairs);
+  } else if (options.output) {
+    save_pairs(*options.output, pairs);
+  }
+  if (!options.depth_check) return std::nullopt;
+  return reference::depth_errors(depths, pairs, scene.spheres);
+}
+
+int find(const Options& options) {
+  check_outputs(options);
   const Implementation how = chosen_implementation(options);
   PlanOptions plan_options =
       with_skips(how.plan_options(thread_count(options.threads)), options.no_skip, options.force);
@@ -168,13 +202,14 @@ int find(const Options& options) {
   const std::unique_ptr<PairFinder> finder = how.backend->create();
   const Outcome outcome = find_completely(*finder, scene.view(), plan_options);
   require_used(plan_options.forced, outcome.counts.used);
-  if (options.output) save_pairs(*options.output, finder->download());
+  const auto depth_errors = use_pairs(options, scene, *finder);
 
   const Answer answer = {.scene = scene,
                          .implementation = how,
                          .outcome = outcome,
                          .digest = finder->digest(),
-                         .rounding = rounding_effect(scene)};
+                         .rounding = rounding_effect(scene),
+                         .depth_errors = depth_errors};
   if (options.explain) {
     fmt::print(
         stderr, "{}",
@@ -206,12 +241,15 @@ void add_find(CLI::App& app, Command& command) {
   sub->add_option("--cell-side", o->cell_side, "Cell side in scene units, for rule lowest_cell");
   sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
   sub->add_option("-o,--output", o->output, "Write the pairs: NPY, (M, 2) uint32, i < j, sorted");
+  sub->add_option("--depth", o->depth,
+                  "Write how deep each pair overlaps: NPY, (M,) float32, in the pairs' order");
+  sub->add_flag("--depth-check", o->depth_check,
+                "Compare the depths with exact ones; print their errors in ULP of float32");
   add_skip_options(*sub, o->no_skip, o->force);
   sub->add_flag("--count", o->count, "Count and checksum only: needs no memory for pairs");
   sub->add_flag("--json", o->json, "Print JSON");
   sub->add_flag("--explain", o->explain, "Print the plan's decisions on stderr");
-  sub->add_flag("--round-input", o->round_input,
-                "Accept a float64 NPY, round it to float32, and say which pairs that changed");
+  sub->add_flag("--round-input", o->round_input, kRoundInputHelp);
   sub->callback([&command, o] { command = [o] { return find(*o); }; });
 }
 

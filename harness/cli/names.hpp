@@ -102,6 +102,10 @@ inline void require_used(Skips forced, Skips used) {
 inline constexpr const char* kFlagsHelp =
     "NPY beside the scene, (N,): uint32 words of flags, or bool: which spheres are static";
 
+inline constexpr const char* kRoundInputHelp =
+    "Accept a float64 NPY and round it to float32; of it and of generators, say which pairs that "
+    "changed";
+
 inline constexpr int kMaxThreads = 1024;
 
 /// 0 stands for all hardware threads.

@@ -91,29 +91,34 @@ OCTOCELL_HD Real square_error(Real a, Real square) {
 /// inputs can neither overflow nor underflow here (squares lie in 2^-298..2^260).
 template <typename Real>
 struct Float64Test {
-  Real excess;    // D - R
-  Real bound;     // beyond it the sign of the excess is certain
-  Real rounding;  // the magnitudes of all rounding errors; zero: the excess is exact
+  Real distance2;  // D
+  Real reach;      // the sum of the radii
+  Real reach2;     // R
+  Real excess;     // D - R
+  Real bound;      // beyond it the sign of the excess is certain
+  Real rounding;   // the magnitudes of all rounding errors; zero: all of these are exact
 
   OCTOCELL_HD Float64Test(Real ax, Real ay, Real az, Real ar, Real bx, Real by, Real bz, Real br) {
     using std::abs;
     const Sum<Real> dx = two_sum<Real>(ax, -bx);
     const Sum<Real> dy = two_sum<Real>(ay, -by);
     const Sum<Real> dz = two_sum<Real>(az, -bz);
-    const Sum<Real> reach = two_sum<Real>(ar, br);
+    const Sum<Real> radii = two_sum<Real>(ar, br);
     const Real xx = dx.value * dx.value;
     const Real yy = dy.value * dy.value;
     const Real zz = dz.value * dz.value;
-    const Real reach2 = reach.value * reach.value;
     const Sum<Real> xy = two_sum<Real>(xx, yy);
     const Sum<Real> xyz = two_sum<Real>(xy.value, zz);
-    excess = xyz.value - reach2;
+    distance2 = xyz.value;
+    reach = radii.value;
+    reach2 = reach * reach;
+    excess = distance2 - reach2;
     // Both sides carry at most 8 roundings of 2^-53; ten leave room for the second order.
     bound = 10.0 * 0x1p-53 * reach2;
-    rounding = abs(dx.error) + abs(dy.error) + abs(dz.error) + abs(reach.error) +  //
+    rounding = abs(dx.error) + abs(dy.error) + abs(dz.error) + abs(radii.error) +  //
                abs(xy.error) + abs(xyz.error) +                                    //
                abs(square_error<Real>(dx.value, xx)) + abs(square_error<Real>(dy.value, yy)) +
-               abs(square_error<Real>(dz.value, zz)) + abs(square_error<Real>(reach.value, reach2));
+               abs(square_error<Real>(dz.value, zz)) + abs(square_error<Real>(reach, reach2));
   }
 };
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <gmpxx.h>
-
 #include <cmath>
 
+#include "harness/reference/big_numbers.hpp"
 #include "harness/reference/reference.hpp"
 
 namespace octocell::reference {
@@ -14,20 +13,18 @@ constexpr double kWideMargin = 1e-12;
 /// Below this, float64 squares may have lost digits to underflow (float32 inputs never do).
 constexpr double kUnderflowFloor = 1e-280;
 
-/// Every finite float32 is an integer multiple of 2^-149, and at most 2^277 of them: exact here.
-mpz_class exactly(float value) { return mpz_class(std::ldexp(static_cast<double>(value), 149)); }
-/// Every finite float64 is a rational number.
-mpq_class exactly(double value) { return mpq_class(value); }
+bool overlap_by_big_numbers(const Sphere& a, const Sphere& b) {
+  const Sides sides = sides_of(a, b);
+  return sides.distance2 <= sides.reach * sides.reach;
+}
 
-template <typename SphereType>
-bool overlap_by_big_numbers(const SphereType& a, const SphereType& b) {
-  using Number = decltype(exactly(a.x));
-  const Number dx = exactly(a.x) - exactly(b.x);
-  const Number dy = exactly(a.y) - exactly(b.y);
-  const Number dz = exactly(a.z) - exactly(b.z);
-  const Number reach = exactly(a.r) + exactly(b.r);
-  const Number distance2 = dx * dx + dy * dy + dz * dz;
-  return distance2 <= reach * reach;
+/// Every finite float64 is a rational number.
+bool overlap_by_big_numbers(const DoubleSphere& a, const DoubleSphere& b) {
+  const mpq_class dx = mpq_class(a.x) - mpq_class(b.x);
+  const mpq_class dy = mpq_class(a.y) - mpq_class(b.y);
+  const mpq_class dz = mpq_class(a.z) - mpq_class(b.z);
+  const mpq_class reach = mpq_class(a.r) + mpq_class(b.r);
+  return dx * dx + dy * dy + dz * dz <= reach * reach;
 }
 
 template <typename SphereType>

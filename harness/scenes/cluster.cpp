@@ -15,8 +15,10 @@ double cloud_width(double count, double peak) {
 
 }  // namespace
 
-std::vector<Sphere> cluster(const Parameters& parameters) {
-  std::vector<Sphere> spheres(parameters.whole("n"));
+template <typename AnySphere>
+std::vector<AnySphere> cluster(const Parameters& parameters) {
+  using Number = NumberOf<AnySphere>;
+  std::vector<AnySphere> spheres(parameters.whole("n"));
   const double side = box_side(spheres.size(), parameters.real("phi"));
   const double share = parameters.real("share");
   const auto in_clouds = share * static_cast<double>(spheres.size());
@@ -26,24 +28,27 @@ std::vector<Sphere> cluster(const Parameters& parameters) {
 
   Random random(parameters.whole("seed"));
   for (Sphere& centre : centres) {
-    centre.x = coordinate_in_box(random, side);
-    centre.y = coordinate_in_box(random, side);
-    centre.z = coordinate_in_box(random, side);
+    centre.x = coordinate_in_box<float>(random, side);
+    centre.y = coordinate_in_box<float>(random, side);
+    centre.z = coordinate_in_box<float>(random, side);
   }
-  for (Sphere& s : spheres) {
-    s.r = static_cast<float>(kRadius);
+  for (AnySphere& s : spheres) {
+    s.r = static_cast<Number>(kRadius);
     if (random.uniform() < share) {
       const Sphere& centre = centres[random.below(centres.size())];
-      s.x = static_cast<float>(centre.x + width * random.bell());
-      s.y = static_cast<float>(centre.y + width * random.bell());
-      s.z = static_cast<float>(centre.z + width * random.bell());
+      s.x = static_cast<Number>(centre.x + width * random.bell());
+      s.y = static_cast<Number>(centre.y + width * random.bell());
+      s.z = static_cast<Number>(centre.z + width * random.bell());
       continue;
     }
-    s.x = coordinate_in_box(random, side);
-    s.y = coordinate_in_box(random, side);
-    s.z = coordinate_in_box(random, side);
+    s.x = coordinate_in_box<Number>(random, side);
+    s.y = coordinate_in_box<Number>(random, side);
+    s.z = coordinate_in_box<Number>(random, side);
   }
   return spheres;
 }
+
+template std::vector<Sphere> cluster(const Parameters&);
+template std::vector<DoubleSphere> cluster(const Parameters&);
 
 }  // namespace octocell::families

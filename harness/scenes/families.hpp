@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One function per generator; the table in scenes.cpp says what each makes.
+// One function per generator; the table in scenes.cpp says what each makes. A generator computes in
+// float64 and rounds each number once, at the end, to the number type of its spheres: of Sphere or
+// of DoubleSphere.
 // All lengths are in radii of the largest common sphere, which is 0.5 throughout.
 #pragma once
 
@@ -11,20 +13,36 @@
 #include "harness/interface/sphere.hpp"
 #include "harness/scenes/parameters.hpp"
 #include "harness/scenes/portable_math.hpp"
+#include "harness/scenes/scenes.hpp"
 
 namespace octocell::families {
 
 inline constexpr double kRadius = 0.5;
 
-std::vector<Sphere> gas(const Parameters&);
-std::vector<Sphere> shifted(const Parameters&);
-std::vector<Sphere> poly(const Parameters&);
-std::vector<Sphere> cluster(const Parameters&);
-std::vector<Sphere> lattice(const Parameters&);
-std::vector<Sphere> giant(const Parameters&);
-std::vector<Sphere> discs(const Parameters&);
-std::vector<Sphere> identical(const Parameters&);
-std::vector<Sphere> chain(const Parameters&);
+template <typename AnySphere>
+std::vector<AnySphere> gas(const Parameters&);
+template <typename AnySphere>
+std::vector<AnySphere> shifted(const Parameters&);
+template <typename AnySphere>
+std::vector<AnySphere> poly(const Parameters&);
+template <typename AnySphere>
+std::vector<AnySphere> cluster(const Parameters&);
+template <typename AnySphere>
+std::vector<AnySphere> lattice(const Parameters&);
+template <typename AnySphere>
+std::vector<AnySphere> fcc(const Parameters&);
+template <typename AnySphere>
+std::vector<AnySphere> giant(const Parameters&);
+template <typename AnySphere>
+std::vector<AnySphere> discs(const Parameters&);
+template <typename AnySphere>
+std::vector<AnySphere> identical(const Parameters&);
+template <typename AnySphere>
+std::vector<AnySphere> chain(const Parameters&);
+
+/// The type of a sphere's numbers.
+template <typename AnySphere>
+using NumberOf = decltype(AnySphere::r);
 
 inline double sphere_volume(double r) { return 4.0 / 3.0 * std::numbers::pi * r * r * r; }
 
@@ -35,8 +53,9 @@ inline double box_side(std::size_t count, double volume_fraction) {
 }
 
 /// Uniform in a cube (or its floor, z = 0) around `centre` on each axis.
-inline float coordinate_in_box(Random& random, double side, double centre = 0.0) {
-  return static_cast<float>(centre + (random.uniform() - 0.5) * side);
+template <typename Number>
+Number coordinate_in_box(Random& random, double side, double centre = 0.0) {
+  return static_cast<Number>(centre + (random.uniform() - 0.5) * side);
 }
 
 }  // namespace octocell::families

@@ -6,26 +6,37 @@
 namespace octocell::families {
 namespace {
 
-std::vector<Sphere> gas_around(const Parameters& parameters, double centre) {
-  std::vector<Sphere> spheres(parameters.whole("n"));
+template <typename AnySphere>
+std::vector<AnySphere> gas_around(const Parameters& parameters, double centre) {
+  using Number = NumberOf<AnySphere>;
+  std::vector<AnySphere> spheres(parameters.whole("n"));
   const double side = box_side(spheres.size(), parameters.real("phi"));
   Random random(parameters.whole("seed"));
-  for (Sphere& s : spheres) {
-    s.x = coordinate_in_box(random, side, centre);
-    s.y = coordinate_in_box(random, side, centre);
-    s.z = coordinate_in_box(random, side, centre);
-    s.r = static_cast<float>(kRadius);
+  for (AnySphere& s : spheres) {
+    s.x = coordinate_in_box<Number>(random, side, centre);
+    s.y = coordinate_in_box<Number>(random, side, centre);
+    s.z = coordinate_in_box<Number>(random, side, centre);
+    s.r = static_cast<Number>(kRadius);
   }
   return spheres;
 }
 
 }  // namespace
 
-std::vector<Sphere> gas(const Parameters& parameters) { return gas_around(parameters, 0.0); }
+template <typename AnySphere>
+std::vector<AnySphere> gas(const Parameters& parameters) {
+  return gas_around<AnySphere>(parameters, 0.0);
+}
 
 // Far from the origin floats are coarse: many spheres share coordinates, and box corners round.
-std::vector<Sphere> shifted(const Parameters& parameters) {
-  return gas_around(parameters, parameters.real("offset"));
+template <typename AnySphere>
+std::vector<AnySphere> shifted(const Parameters& parameters) {
+  return gas_around<AnySphere>(parameters, parameters.real("offset"));
 }
+
+template std::vector<Sphere> gas(const Parameters&);
+template std::vector<DoubleSphere> gas(const Parameters&);
+template std::vector<Sphere> shifted(const Parameters&);
+template std::vector<DoubleSphere> shifted(const Parameters&);
 
 }  // namespace octocell::families

@@ -5,14 +5,18 @@
 
 namespace octocell::families {
 
-std::vector<Sphere> giant(const Parameters& parameters) {
-  std::vector<Sphere> spheres = gas(parameters);
+template <typename AnySphere>
+std::vector<AnySphere> giant(const Parameters& parameters) {
+  std::vector<AnySphere> spheres = gas<AnySphere>(parameters);
   if (spheres.empty()) return spheres;
   const double side = box_side(spheres.size(), parameters.real("phi"));
   // Neither the first nor the last, so that no loop meets it by luck of order.
-  spheres[spheres.size() / 2] = {0.0F, 0.0F, 0.0F,
-                                 static_cast<float>(parameters.real("size") * side)};
+  spheres[spheres.size() / 2] = {0, 0, 0,
+                                 static_cast<NumberOf<AnySphere>>(parameters.real("size") * side)};
   return spheres;
 }
+
+template std::vector<Sphere> giant(const Parameters&);
+template std::vector<DoubleSphere> giant(const Parameters&);
 
 }  // namespace octocell::families

@@ -4,9 +4,13 @@
 
 namespace octocell::families {
 
-std::vector<Sphere> identical(const Parameters& parameters) {
-  const Sphere one{0.0F, 0.0F, 0.0F, static_cast<float>(kRadius)};
-  return std::vector<Sphere>(parameters.whole("n"), one);
+template <typename AnySphere>
+std::vector<AnySphere> identical(const Parameters& parameters) {
+  const AnySphere one{0, 0, 0, static_cast<NumberOf<AnySphere>>(kRadius)};
+  return std::vector<AnySphere>(parameters.whole("n"), one);
 }
+
+template std::vector<Sphere> identical(const Parameters&);
+template std::vector<DoubleSphere> identical(const Parameters&);
 
 }  // namespace octocell::families

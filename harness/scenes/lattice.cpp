@@ -15,7 +15,8 @@ std::size_t cube_side(std::size_t count) {
   return side;
 }
 
-void shuffle(std::vector<Sphere>& spheres, Random random) {
+template <typename AnySphere>
+void shuffle(std::vector<AnySphere>& spheres, Random random) {
   for (std::size_t left = spheres.size(); left > 1; --left) {
     std::swap(spheres[left - 1], spheres[random.below(left)]);
   }
@@ -23,22 +24,27 @@ void shuffle(std::vector<Sphere>& spheres, Random random) {
 
 }  // namespace
 
-std::vector<Sphere> lattice(const Parameters& parameters) {
-  std::vector<Sphere> spheres(parameters.whole("n"));
+template <typename AnySphere>
+std::vector<AnySphere> lattice(const Parameters& parameters) {
+  using Number = NumberOf<AnySphere>;
+  std::vector<AnySphere> spheres(parameters.whole("n"));
   const double spacing = parameters.real("spacing");
   const std::size_t side = cube_side(spheres.size());
   const auto middle = static_cast<double>(side / 2);
   const auto coordinate = [&](std::size_t step) {
-    return static_cast<float>((static_cast<double>(step) - middle) * spacing);
+    return static_cast<Number>((static_cast<double>(step) - middle) * spacing);
   };
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     spheres[i].x = coordinate(i % side);
     spheres[i].y = coordinate(i / side % side);
     spheres[i].z = coordinate(i / side / side);
-    spheres[i].r = static_cast<float>(spacing * 0.5);
+    spheres[i].r = static_cast<Number>(spacing * 0.5);
   }
   if (parameters.whole("shuffle") == 1) shuffle(spheres, Random(parameters.whole("seed")));
   return spheres;
 }
+
+template std::vector<Sphere> lattice(const Parameters&);
+template std::vector<DoubleSphere> lattice(const Parameters&);
 
 }  // namespace octocell::families

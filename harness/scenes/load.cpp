@@ -78,7 +78,7 @@ Scene load_scene(const std::string& path, const LoadOptions& options) {
 Scene load_or_generate(std::string_view scene_argument, const LoadOptions& options) {
   const std::string argument(scene_argument);
   if (names_a_file(argument)) return load_scene(argument, options);
-  Scene scene = generate(argument);
+  Scene scene = generate(argument, options);
   add_side_file(scene, options);
   return scene;
 }

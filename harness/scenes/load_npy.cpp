@@ -51,11 +51,6 @@ std::vector<AnySphere> read_rows(InputFile& file, const NpyHeader& header) {
   return rows;
 }
 
-Sphere rounded(const DoubleSphere& s) {
-  return {static_cast<float>(s.x), static_cast<float>(s.y), static_cast<float>(s.z),
-          static_cast<float>(s.r)};
-}
-
 }  // namespace
 
 void load_npy(InputFile& file, const LoadOptions& options, Scene& scene) {

@@ -38,6 +38,12 @@ void check_name(const std::string& path, Csv csv) {
                   csv == Csv::possible ? " or .csv, which say the format" : ", the format is NPY"));
 }
 
+void check_two_files(const std::string& path, const std::string& other, std::string_view what) {
+  namespace fs = std::filesystem;
+  if (fs::path(path).lexically_normal() != fs::path(other).lexically_normal()) return;
+  throw InputError(fmt::format("cannot write {}: {} need a file each", path, what));
+}
+
 void check_flags(const std::string& path, SceneView scene, const std::string& flags_path) {
   if (flags_path.empty() && !scene.flags.empty() && !is_csv(path)) {
     throw InputError(fmt::format(
@@ -45,15 +51,19 @@ void check_flags(const std::string& path, SceneView scene, const std::string& fl
         "them, and .csv has columns",
         path));
   }
-  namespace fs = std::filesystem;
-  if (!flags_path.empty() &&
-      fs::path(path).lexically_normal() == fs::path(flags_path).lexically_normal()) {
-    throw InputError(fmt::format("cannot write {}: spheres and flags need a file each", path));
-  }
+  check_two_files(path, flags_path, "spheres and flags");
 }
 
 std::string table_header(std::string_view descr, std::size_t rows, std::size_t columns) {
   return npy_header_bytes(descr, fmt::format("({}, {})", rows, columns));
+}
+
+std::string list_header(std::string_view descr, std::size_t count) {
+  return npy_header_bytes(descr, fmt::format("({},)", count));
+}
+
+std::string pairs_header(std::span<const Pair> pairs) {
+  return table_header("<u4", pairs.size(), 2);
 }
 
 /// Shortest decimals that are read as the same floats.
@@ -88,7 +98,7 @@ void save_scene(const std::string& path, SceneView scene, const std::string& fla
   if (flags_path.empty()) return write_whole_files(files);
 
   check_name(flags_path, Csv::never);
-  const std::string header = npy_header_bytes("<u4", fmt::format("({},)", scene.spheres.size()));
+  const std::string header = list_header("<u4", scene.spheres.size());
   const std::vector<Flags> none(scene.flags.empty() ? scene.spheres.size() : 0);
   files.push_back(
       {flags_path,
@@ -99,8 +109,24 @@ void save_scene(const std::string& path, SceneView scene, const std::string& fla
 
 void save_pairs(const std::string& path, std::span<const Pair> pairs) {
   check_name(path, Csv::never);
-  const std::string header = table_header("<u4", pairs.size(), 2);
+  const std::string header = pairs_header(pairs);
   write_whole_file(path, {std::as_bytes(std::span(header)), std::as_bytes(pairs)});
+}
+
+void save_depths(const std::string& path, std::span<const float> depths,
+                 const std::string& pairs_path, std::span<const Pair> pairs) {
+  check_name(path, Csv::never);
+  const std::string header = list_header("<f4", depths.size());
+  std::vector<FileToWrite> files = {
+      {path, {std::as_bytes(std::span(header)), std::as_bytes(depths)}}};
+  const std::string header_of_pairs = pairs_header(pairs);
+  if (!pairs_path.empty()) {
+    check_name(pairs_path, Csv::never);
+    check_two_files(path, pairs_path, "depths and pairs");
+    files.push_back(
+        {pairs_path, {std::as_bytes(std::span(header_of_pairs)), std::as_bytes(pairs)}});
+  }
+  write_whole_files(files);
 }
 
 }  // namespace octocell

@@ -9,7 +9,7 @@
 
 namespace octocell {
 
-/// Both write NPY, version 1.0, C order, little-endian: float32 (n, 4) or uint32 (m, 2). A scene
+/// All write NPY, version 1.0, C order, little-endian: float32 (n, 4) or uint32 (m, 2). A scene
 /// whose name ends in .csv becomes CSV, and has columns for its flags if it has any. `flags_path`
 /// names another NPY for them, uint32 (n,); NPY without it cannot hold a scene with flags.
 ///
@@ -23,5 +23,10 @@ inline void save_scene(const std::string& path, std::span<const Sphere> spheres)
   save_scene(path, SceneView{spheres});
 }
 void save_pairs(const std::string& path, std::span<const Pair> pairs);
+
+/// The depth of each pair, in their order, float32 (m,), and the pairs, unless `pairs_path` is
+/// empty.
+void save_depths(const std::string& path, std::span<const float> depths,
+                 const std::string& pairs_path = {}, std::span<const Pair> pairs = {});
 
 }  // namespace octocell

@@ -61,20 +61,32 @@ constexpr ParameterInfo kGiant[] = {
     {"size", "radius of the giant / side of the box", 0.3, 0, 100, kReal}};
 constexpr ParameterInfo kDiscs[] = {count_up_to(kMost), kSeed, filled(0.1), radii_to(100)};
 constexpr ParameterInfo kIdentical[] = {count_up_to(65536, 1000)};
+constexpr ParameterInfo kFcc[] = {count_up_to(kMost), spaced(1)};
 // Whole coordinates up to 2^24 are exact in float32, so every link of the chain is alike.
 constexpr ParameterInfo kChain[] = {count_up_to(0x1p24), spaced(1)};
 
 constexpr SceneInfo kScenes[] = {
-    {"gas", "equal spheres, uniform in a cube, 10 % filled", kGas, families::gas},
-    {"dense", "as gas, 40 % filled", kDense, families::gas},
-    {"poly", "radii 10:1, each octave equally often, 10 % filled", kPoly, families::poly},
-    {"cluster", "90 % in 64 dense clouds, the rest uniform", kCluster, families::cluster},
-    {"lattice", "cubic lattice, neighbours touch exactly", kLattice, families::lattice},
-    {"shifted", "a gas far from the origin", kShifted, families::shifted},
-    {"giant", "a gas around one huge sphere", kGiant, families::giant},
-    {"discs", "flat (z = 0), radii 100:1 with a power law", kDiscs, families::discs},
-    {"identical", "the same sphere many times", kIdentical, families::identical},
-    {"chain", "a row of spheres, each touches the next", kChain, families::chain},
+    {"gas", "equal spheres, uniform in a cube, 10 % filled", kGas, families::gas<Sphere>,
+     families::gas<DoubleSphere>},
+    {"dense", "as gas, 40 % filled", kDense, families::gas<Sphere>, families::gas<DoubleSphere>},
+    {"poly", "radii 10:1, each octave equally often, 10 % filled", kPoly, families::poly<Sphere>,
+     families::poly<DoubleSphere>},
+    {"cluster", "90 % in 64 dense clouds, the rest uniform", kCluster, families::cluster<Sphere>,
+     families::cluster<DoubleSphere>},
+    {"lattice", "cubic lattice, neighbours touch exactly", kLattice, families::lattice<Sphere>,
+     families::lattice<DoubleSphere>},
+    {"shifted", "a gas far from the origin", kShifted, families::shifted<Sphere>,
+     families::shifted<DoubleSphere>},
+    {"giant", "a gas around one huge sphere", kGiant, families::giant<Sphere>,
+     families::giant<DoubleSphere>},
+    {"discs", "flat (z = 0), radii 100:1 with a power law", kDiscs, families::discs<Sphere>,
+     families::discs<DoubleSphere>},
+    {"identical", "the same sphere many times", kIdentical, families::identical<Sphere>,
+     families::identical<DoubleSphere>},
+    {"chain", "a row of spheres, each touches the next", kChain, families::chain<Sphere>,
+     families::chain<DoubleSphere>},
+    {"fcc", "densest packing, neighbours touch up to roundings", kFcc, families::fcc<Sphere>,
+     families::fcc<DoubleSphere>},
 };
 
 const SceneInfo& scene_named(std::string_view name) {
@@ -91,7 +103,7 @@ const SceneInfo& scene_named(std::string_view name) {
 
 std::span<const SceneInfo> scenes() { return kScenes; }
 
-Scene generate(std::string_view spec) {
+Scene generate(std::string_view spec, const LoadOptions& options) {
   const std::size_t colon = spec.find(':');
   SceneInfo info = scene_named(spec.substr(0, colon));
   std::vector<ParameterInfo> all(info.parameters.begin(), info.parameters.end());
@@ -104,6 +116,7 @@ Scene generate(std::string_view spec) {
   scene.spec = fmt::format("{}:{}", info.name, parameters.spelt_out());
   try {
     scene.spheres = info.make(parameters);
+    if (options.round_input) scene.unrounded = info.make_unrounded(parameters);
     scene.flags = make_scene_flags(parameters, scene.spheres.size());
   } catch (const std::bad_alloc&) {
     throw LimitError(fmt::format("scene {}: not enough memory for the spheres", scene.spec));

@@ -20,12 +20,19 @@ struct DoubleSphere {
   double r;
 };
 
+/// To nearest, ties to even.
+inline Sphere rounded(const DoubleSphere& s) {
+  return {static_cast<float>(s.x), static_cast<float>(s.y), static_cast<float>(s.z),
+          static_cast<float>(s.r)};
+}
+
 struct Scene {
   std::string name;  // of the generator, or the file's name without folder and extension
   std::string spec;  // gives the same scene again: every parameter spelt out, or the file's path
   std::vector<Sphere> spheres;
   std::vector<Flags> flags;  // one a sphere, or none
-  /// What the file held before it was rounded to float32; only after LoadOptions::round_input.
+  /// What a float64 file held, or a generator had, before it was rounded to float32; only after
+  /// LoadOptions::round_input.
   std::optional<std::vector<DoubleSphere>> unrounded;
 
   [[nodiscard]] SceneView view() const { return {spheres, flags}; }
@@ -33,7 +40,9 @@ struct Scene {
 
 struct LoadOptions {
   std::optional<std::string> flags = {};  // the path of a side file with flags (NPY)
-  bool round_input = false;  // accept float64 arrays and round them to float32, to nearest even
+  /// Accept float64 arrays and round them to float32; keep them, and the float64 numbers that a
+  /// generator rounds, in Scene::unrounded.
+  bool round_input = false;
 };
 
 /// A generator's parameter. Values outside [lowest, highest] are refused.
@@ -55,6 +64,8 @@ struct SceneInfo {
   std::string_view summary;
   std::span<const ParameterInfo> parameters;
   std::vector<Sphere> (*make)(const Parameters&);
+  /// The same before each number is rounded to float32, once and at the end.
+  std::vector<DoubleSphere> (*make_unrounded)(const Parameters&);
 };
 
 /// The one table of generators.
@@ -66,7 +77,7 @@ std::span<const ParameterInfo> flag_parameters();
 /// `spec` is `name` or `name:parameter=value,...`. The same spec gives the same bits on every
 /// machine, with every compiler and every flag (but not with -ffast-math, which is refused).
 /// Throws InputError (says what is known) and LimitError (not enough memory).
-Scene generate(std::string_view spec);
+Scene generate(std::string_view spec, const LoadOptions& options = {});
 
 /// Reads .npy, .csv or .pqr, whichever the path's extension says. All spheres are valid.
 /// Throws InputError with the path and, where there is one, the line or the sphere.

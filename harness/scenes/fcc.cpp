@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Spheres packed as densely as can be: a face-centred cubic lattice, on which each touches twelve
+// others. Coordinates are multiples of spacing / sqrt 2, so every contact is off by a rounding,
+// either way: here float32 errs.
+#include <cmath>
+
+#include "harness/scenes/families.hpp"
+
+namespace octocell::families {
+namespace {
+
+/// The lowest even side of a cubic lattice half of which holds `count` spheres.
+std::size_t even_side(std::size_t count) {
+  std::size_t side = 2;
+  while (side * side * side / 2 < count) side += 2;
+  return side;
+}
+
+}  // namespace
+
+/// Of the points of a cubic lattice, those whose coordinates have an even sum.
+template <typename AnySphere>
+std::vector<AnySphere> fcc(const Parameters& parameters) {
+  using Number = NumberOf<AnySphere>;
+  std::vector<AnySphere> spheres(parameters.whole("n"));
+  const double spacing = parameters.real("spacing");
+  const double step = spacing * std::sqrt(0.5);
+  const std::size_t side = even_side(spheres.size());
+  const auto middle = static_cast<double>(side / 2);
+  const auto coordinate = [&](std::size_t steps) {
+    return static_cast<Number>((static_cast<double>(steps) - middle) * step);
+  };
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    const std::size_t row = i / (side / 2);
+    const std::size_t y = row % side;
+    const std::size_t z = row / side;
+    spheres[i].x = coordinate(2 * (i % (side / 2)) + (y + z) % 2);
+    spheres[i].y = coordinate(y);
+    spheres[i].z = coordinate(z);
+    spheres[i].r = static_cast<Number>(spacing * 0.5);
+  }
+  return spheres;
+}
+
+template std::vector<Sphere> fcc(const Parameters&);
+template std::vector<DoubleSphere> fcc(const Parameters&);
+
+}  // namespace octocell::families
