@@ -4,6 +4,7 @@
 
 #include <experimental/simd>
 
+#include "harness/interface/faults.hpp"
 #include "impl_cpu/stages.hpp"
 
 namespace octocell::cpu {
@@ -47,7 +48,9 @@ struct Tile {
     const Floats dy = row.y - load(y);
     const Floats dz = row.z - load(z);
     const Floats reach = row.r + load(r);
-    return stdx::any_of(dx * dx + dy * dy + dz * dz <= reach * reach);
+    return OCTOCELL_FAULT(tile_touching_apart,
+                          stdx::any_of(dx * dx + dy * dy + dz * dz < reach * reach),
+                          stdx::any_of(dx * dx + dy * dy + dz * dz <= reach * reach));
   }
 };
 

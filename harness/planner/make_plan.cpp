@@ -7,6 +7,7 @@
 #include "harness/interface/as_written.hpp"
 #include "harness/interface/chapter32.hpp"
 #include "harness/interface/error.hpp"
+#include "harness/interface/faults.hpp"
 #include "harness/planner/planner.hpp"
 
 namespace octocell {
@@ -67,8 +68,10 @@ void choose_cells(Plan& plan, const SceneStats& stats, const PlanOptions& option
 
 Band choose_band(const PlanFacts& facts, Skips allowed) {
   if (!allowed.has(Skip::safe_band)) return Band::safe;
-  const bool in_range = facts.r_max == 0.0F ||
-                        (facts.r_min_nonzero >= kFastRadiusMin && facts.r_max <= kFastRadiusMax);
+  const bool in_range =
+      facts.r_max == 0.0F ||
+      (OCTOCELL_FAULT(fast_band_for_tiny_radii, true, facts.r_min_nonzero >= kFastRadiusMin) &&
+       facts.r_max <= kFastRadiusMax);
   return in_range ? Band::fast : Band::safe;
 }
 

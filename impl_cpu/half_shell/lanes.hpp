@@ -5,6 +5,7 @@
 #include <bit>
 #include <experimental/simd>
 
+#include "harness/interface/faults.hpp"
 #include "harness/interface/sphere.hpp"
 
 namespace octocell::cpu::half_shell {
@@ -42,7 +43,9 @@ LaneBits bits_of(const Mask& mask) {
   return static_cast<LaneBits>(mask.__to_bitset().to_ulong());  // libstdc++'s, for want of a better
 }
 inline LaneBits first_bits(std::uint32_t count) {
-  return static_cast<LaneBits>(count >= kLanes ? 0xffffU : (1U << count) - 1U);
+  return static_cast<LaneBits>(count >= kLanes
+                                   ? OCTOCELL_FAULT(shell_last_lane_missing, 0x7fffU, 0xffffU)
+                                   : (1U << count) - 1U);
 }
 
 using Ids = stdx::simd<std::uint32_t, stdx::simd_abi::deduce_t<std::uint32_t, 16>>;

@@ -4,6 +4,7 @@
 // cache holds for the others.
 #pragma once
 
+#include "harness/interface/faults.hpp"
 #include "impl_cuda_custom/half_shell/neighbours.cuh"
 #include "impl_cuda_custom/pair_sinks.cuh"
 
@@ -150,17 +151,21 @@ __global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce)
 template <typename Sink>
 void test_runs(Workspace& w) {
   State* const state = w.state.data();
+  const std::uint64_t count = w.sphere_count();
+  std::uint64_t* const doubts =
+      OCTOCELL_FAULT(cuda_doubts_in_pairs_counter, &state->pairs, &state->doubts);
+  const unsigned blocks =
+      OCTOCELL_FAULT(cuda_blocks_missing, blocks_for(count / 2), blocks_for(count));
   with_neighbours(w, [&](const auto& neighbours) {
-    const TestJob job = {
-        .neighbours = neighbours,
-        .band = w.plan.band,
-        .candidate_limit = w.plan.candidate_limit,
-        .sink = {.pairs = {w.pairs.data(), w.plan.capacity.pairs, &state->pairs},
-                 .doubts = {w.doubts.data(), w.plan.capacity.doubts, &state->doubts},
-                 .spheres = w.spheres.data(),
-                 .flags = w.flags_or_none(),
-                 .state = state}};
-    half_shell_kernel<Sink><<<blocks_for(w.sphere_count()), kBlockThreads, 0, w.stream>>>(job);
+    const TestJob job = {.neighbours = neighbours,
+                         .band = w.plan.band,
+                         .candidate_limit = w.plan.candidate_limit,
+                         .sink = {.pairs = {w.pairs.data(), w.plan.capacity.pairs, &state->pairs},
+                                  .doubts = {w.doubts.data(), w.plan.capacity.doubts, doubts},
+                                  .spheres = w.spheres.data(),
+                                  .flags = w.flags_or_none(),
+                                  .state = state}};
+    half_shell_kernel<Sink><<<blocks, kBlockThreads, 0, w.stream>>>(job);
     cuda::check_launch();
   });
 }
