@@ -15,6 +15,8 @@ FAULTS ?= OFF
 # Code for GPUs: AUTO (where nvcc is; where a GPU is, nvcc is fetched), ON or OFF.
 OCTOCELL_CUDA ?= AUTO
 export OCTOCELL_CUDA
+# The same, but by itself only where kernels can run, too.
+CUDA_IF_GPU = $(if $(wildcard /dev/nvidiactl)$(filter ON,$(OCTOCELL_CUDA)),$(OCTOCELL_CUDA),OFF)
 # Strict where changes are checked, lenient with compilers yet unborn.
 WERROR := $(if $(CI),ON,OFF)
 
@@ -59,7 +61,7 @@ fuzz: setup ## Feed random bytes to the backends and the file readers (FUZZ_SECO
 	done
 
 mutants: setup ## Plant one fault after the other and see that the tests notice each (20 minutes)
-	@cmake --preset faults -DOCTOCELL_WERROR=$(WERROR) -DOCTOCELL_CUDA=$(OCTOCELL_CUDA) >/dev/null
+	@cmake --preset faults -DOCTOCELL_WERROR=$(WERROR) -DOCTOCELL_CUDA=$(CUDA_IF_GPU) >/dev/null
 	@cmake --build --preset faults
 	@$(PYTHON) tests/mutation/mutants.py -o reports/out/mutants.json
 

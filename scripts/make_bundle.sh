@@ -12,8 +12,8 @@ unset IFS
 tests=(test_cuda_custom test_cuda_half_shell test_radix_sort test_backends_agree test_buffers)
 FAULTS=${FAULTS:-OFF}
 name=octocell
-build=build-bundle
-[ "$FAULTS" = OFF ] || { name=octocell-faults; build=build-bundle-faults; }
+build="build-bundle"
+[ "$FAULTS" = OFF ] || { name=octocell-faults; build="build-bundle-faults"; }
 bundle=dist/$name
 
 say() { echo "bundle: $*"; }
