@@ -10,6 +10,7 @@ import argparse
 import json
 import os
 import re
+import signal
 import subprocess
 import sys
 import tempfile
@@ -289,6 +290,7 @@ def try_faults(
 
 def main() -> int:
     arguments = parse_arguments()
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # as Ctrl-C: nothing is left running
     program = arguments.build.resolve() / "octocell"
     faults = [fault for fault in faults_in(program) if arguments.only.fullmatch(fault.name)]
     if not faults:
