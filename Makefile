@@ -10,14 +10,18 @@ FUZZ_SECONDS ?= 300
 PUBLISHED := reports/results/epyc-zen5-2core/quick.json
 # Machine code for the common GPUs from Turing on; the last entry's PTX serves what is newer.
 GPUS ?= 75-real 80-real 86-real 89-real 90
+# ON: `make bundle` packs the build with planted faults instead.
+FAULTS ?= OFF
 # Code for GPUs: AUTO (where nvcc is; where a GPU is, nvcc is fetched), ON or OFF.
 OCTOCELL_CUDA ?= AUTO
 export OCTOCELL_CUDA
+# The same, but by itself only where kernels can run, too.
+CUDA_IF_GPU = $(if $(wildcard /dev/nvidiactl)$(filter ON,$(OCTOCELL_CUDA)),$(OCTOCELL_CUDA),OFF)
 # Strict where changes are checked, lenient with compilers yet unborn.
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build test compilers fuzz stress stress-full bench bench-full bench-sort ablation error report readme sanitize cuda-toolkit bundle clean
+.PHONY: help setup build test compilers fuzz mutants stress stress-full bench bench-full bench-sort ablation error report readme sanitize cuda-toolkit bundle clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -56,6 +60,11 @@ fuzz: setup ## Feed random bytes to the backends and the file readers (FUZZ_SECO
 	    build-fuzz/corpus/$$what tests/fuzz/corpus/$$what || exit 1; \
 	done
 
+mutants: setup ## Plant one fault after the other and see that the tests notice each (20 minutes)
+	@cmake --preset faults -DOCTOCELL_WERROR=$(WERROR) -DOCTOCELL_CUDA=$(CUDA_IF_GPU) >/dev/null
+	@cmake --build --preset faults
+	@$(PYTHON) tests/mutation/mutants.py -o reports/out/mutants.json
+
 bench: build ## Time our CPU backend beside FCL and Bullet (minutes), check every row, draw the report
 	@$(BUILD)/octocell bench --preset quick -o $(RESULT)
 	@$(MAKE) --no-print-directory report
@@ -93,7 +102,7 @@ cuda-toolkit: ## Make a CUDA toolkit (nvcc and Thrust) in .cuda/, where the mach
 	@scripts/cuda_toolkit.sh
 
 bundle: setup ## Pack what a GPU node needs to run without network or root: dist/octocell.tar.gz
-	@scripts/make_bundle.sh $(GPUS)
+	@FAULTS=$(FAULTS) scripts/make_bundle.sh $(GPUS)
 
 clean: ## Remove everything that was built or drawn
 	rm -rf build build-* dist reports/out

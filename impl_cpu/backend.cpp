@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "impl_cpu/backend.hpp"
+#include "harness/interface/faults.hpp"
 
 #include <algorithm>
 
@@ -28,7 +29,7 @@ class CpuBackend final : public GridPairFinder {
   void update(SceneView scene) override {
     if (!std::ranges::equal(flags_, scene.flags)) {
       flags_.assign(scene.flags.begin(), scene.flags.end());
-      coherence_.forget();  // it compares spheres only
+      OCTOCELL_FAULT(frame_keeps_flags, void(), coherence_.forget());  // it compares spheres only
     }
     w_.scene = scene;
   }

@@ -13,6 +13,7 @@
 #include <experimental/simd>
 #pragma GCC diagnostic pop
 
+#include "harness/interface/faults.hpp"
 #include "harness/interface/pair_test.hpp"
 
 namespace octocell::cpu {
@@ -44,7 +45,8 @@ LaneBits bits_of(const Mask& mask) {
 }
 /// The first `count` of 16 lanes or fewer.
 inline LaneBits first_bits(std::uint32_t count) {
-  return static_cast<LaneBits>(count >= 16 ? 0xffffU : (1U << count) - 1U);
+  return static_cast<LaneBits>(
+      count >= 16 ? OCTOCELL_FAULT(shell_last_lane_missing, 0x7fffU, 0xffffU) : (1U << count) - 1U);
 }
 /// Calls visit(lane) for each lane that is set.
 template <typename Visit>
@@ -82,7 +84,8 @@ class Lanes {  // the tests of |p - q|^2 <= (r_p + r_q)^2: the band's, f32, and 
 
   [[nodiscard]] LaneBits may_overlap(const Fields<float>& ones, std::uint64_t k) const {
     const V reach = lanes_.r + static_cast<Number>(ones.r[k]);
-    return bits_of(distance2(lanes_, ones, k) <= reach * reach);
+    return OCTOCELL_FAULT(lanes_touching_apart, bits_of(distance2(lanes_, ones, k) < reach * reach),
+                          bits_of(distance2(lanes_, ones, k) <= reach * reach));
   }
 
  private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "harness/interface/faults.hpp"
 #include "harness/interface/pair.hpp"
 #include "impl_cpu/shared_list.hpp"
 
@@ -25,7 +26,9 @@ class PairList {
   }
 
   [[nodiscard]] std::uint64_t size() const {
-    return count_only_ ? count_.load(std::memory_order_relaxed) : stored_.size();
+    if (!count_only_) return stored_.size();
+    const std::uint64_t count = count_.load(std::memory_order_relaxed);
+    return OCTOCELL_FAULT(list_counts_31_bits, count & 0x7fffffffU, count);
   }
   [[nodiscard]] std::span<const Pair> items() const { return stored_.items(); }
   /// To be thinned out and cut: what remains is what was stored first.

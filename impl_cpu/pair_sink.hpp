@@ -2,6 +2,7 @@
 // Where one thread's stage 5 leaves what it finds.
 #pragma once
 
+#include "harness/interface/faults.hpp"
 #include "harness/interface/flags.hpp"
 #include "impl_cpu/stages.hpp"
 
@@ -14,7 +15,7 @@ class DoubtSink {
   void append(std::span<const Pair> doubts) {
     if (!w_.plan.count_only) return w_.doubts.append(doubts);
     w_.doubts.count(doubts.size());
-    resolve_block(w_, doubts);
+    OCTOCELL_FAULT(doubts_uncounted, void(), resolve_block(w_, doubts));
   }
 
  private:
@@ -33,7 +34,9 @@ class PairSink {
   /// Two spheres that may overlap, with stored radii.
   template <PairTest test>
   void take(const Sphere& a, std::uint32_t id_a, const Sphere& b, std::uint32_t id_b) {
-    if (!flags_.empty() && !may_collide(flags_[id_a], flags_[id_b])) return;
+    if (OCTOCELL_FAULT(flags_unasked_in_sink, false,
+                       !flags_.empty() && !may_collide(flags_[id_a], flags_[id_b])))
+      return;
     const Pair pair = make_pair_of(id_a, id_b);
     const Verdict verdict = verdict_on<test>(a, b, packing_);
     if (verdict == Verdict::overlap) sure_.push(pair);

@@ -2,6 +2,7 @@
 // The three phases of GPU Gems 3, chapter 32, on threads instead of thread groups:
 // tabulate how often each digit occurs in each part, sum, and reorder.
 #include "impl_cpu/radix_sort.hpp"
+#include "harness/interface/faults.hpp"
 
 #include <array>
 #include <vector>
@@ -38,7 +39,7 @@ void tabulate(std::span<const std::uint32_t> keys, int shift,
 bool all_share(const Counters& counters, int parts, std::size_t digit, std::size_t size) {
   std::size_t count = 0;
   for (int p = 0; p < parts; ++p) count += counters[p][digit];
-  return count == size;
+  return OCTOCELL_FAULT(sort_skips_mixed_digit, count + 1 >= size, count == size);
 }
 
 /// Counts become first positions: all parts' zeros, then all parts' ones, and so on, which keeps
@@ -47,8 +48,9 @@ void prefix_sum(Counters& counters, int parts) {
   std::uint32_t position = 0;
   for (std::size_t d = 0; d < kDigits; ++d) {
     for (int p = 0; p < parts; ++p) {
-      const std::uint32_t count = counters[p][d];
-      counters[p][d] = position;
+      std::uint32_t& counter = counters[OCTOCELL_FAULT(sort_unstable, parts - 1 - p, p)][d];
+      const std::uint32_t count = counter;
+      counter = position;
       position += count;
     }
   }
@@ -77,7 +79,9 @@ Sorted radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, bool sk
     });
   };
   Sorted sorted;
-  for (int shift = 0; shift < key_bits; shift += kDigitBits) {
+  for (int shift = 0;
+       OCTOCELL_FAULT(sort_last_digit_skipped, shift + kDigitBits < key_bits, shift < key_bits);
+       shift += kDigitBits) {
     const KeysAndValues& from = sorted.side == 0 ? front : back;
     const KeysAndValues& to = sorted.side == 0 ? back : front;
     for_parts([&](int p, Part part) {

@@ -5,6 +5,7 @@
 // Idea: the plan's proofs rest on a few facts; checking them is one reduction, trusting them none.
 #include <mutex>
 
+#include "harness/interface/faults.hpp"
 #include "harness/interface/flags.hpp"
 #include "harness/interface/lattice.hpp"
 #include "harness/planner/scene_stats.hpp"
@@ -16,7 +17,8 @@ namespace {
 constexpr std::uint64_t kBlock = 1 << 16;
 
 bool within(const PlanFacts& seen, const PlanFacts& planned) {
-  bool inside = seen.sphere_count == planned.sphere_count && seen.r_max <= planned.r_max;
+  bool inside = seen.sphere_count == planned.sphere_count &&
+                OCTOCELL_FAULT(bounds_radius_unchecked, true, seen.r_max <= planned.r_max);
   for (int a = 0; a < 3; ++a) {
     inside = inside && seen.lowest[a] >= planned.lowest[a] && seen.highest[a] <= planned.highest[a];
   }

@@ -7,6 +7,7 @@
 #include <atomic>
 
 #include "harness/interface/as_written.hpp"
+#include "harness/interface/faults.hpp"
 #include "harness/interface/grid.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 
@@ -71,7 +72,8 @@ struct Batch {
         const float p = a == 0 ? s.x : a == 1 ? s.y : s.z;
         const float extent = reach(s.r);
         lowest[a][i] = cell_coordinate(grid, a, p - extent);
-        highest[a][i] = cell_coordinate(grid, a, p + extent);
+        highest[a][i] =
+            cell_coordinate(grid, a, p + OCTOCELL_FAULT(cells_without_p_plus_r, 0.0F, extent));
         home[a][i] = cell_coordinate(grid, a, p);
       }
     }
@@ -100,7 +102,8 @@ void list_corners(const Grid& grid, std::uint32_t sphere, const CellRange& range
   const std::uint32_t home_corner =
       (home.x - low.x) | (home.y - low.y) << 1 | (home.z - low.z) << 2;
   phantoms.make_room();
-  for (std::uint32_t corner = 0; corner < 8; ++corner) {
+  for (std::uint32_t corner = 0; corner < OCTOCELL_FAULT(cells_without_last_corner, 7U, 8U);
+       ++corner) {
     const bool listed = (corner & ~wide) == 0 && corner != home_corner;
     phantoms.put_if(listed, x[corner & 1U] + y[corner >> 1 & 1U] + z[corner >> 2],
                     sphere | (~corner & 7U) << kLowestShift | kPhantom);
@@ -113,7 +116,8 @@ void list_range(const Grid& grid, std::uint32_t sphere, const CellRange& range, 
   const auto [low, high] = range;
   for (std::uint32_t z = low.z; z <= high.z; ++z) {
     for (std::uint32_t y = low.y; y <= high.y; ++y) {
-      for (std::uint32_t x = low.x; x <= high.x; ++x) {
+      for (std::uint32_t x = low.x;
+           OCTOCELL_FAULT(cells_last_column_missing, x < high.x, x <= high.x); ++x) {
         if (x == home.x && y == home.y && z == home.z) continue;
         const Cell cell = {x, y, z};
         phantoms.put(cell_id(grid, cell), object_of(sphere, cell, low) | kPhantom);

@@ -3,6 +3,7 @@
 // Reads sorted cell ids and objects. Writes one entry a cell in which a pair can be tested.
 // Cost: 8 bytes an id.
 // Idea: a cell begins where the id changes; cells with nothing to test are left out here, once.
+#include "harness/interface/faults.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 
 namespace octocell::cpu {
@@ -55,7 +56,9 @@ void cell_index(Workspace& w) {
     while (i < end) {
       const CellEntry cell = sorted.cell_at(i);
       const std::uint64_t here = candidates_in(w.plan.rule, cell.homes, cell.phantoms);
-      if (here != 0) cells.push(cell);
+      if (OCTOCELL_FAULT(index_last_cell_missing,
+                         here != 0 && i + cell.homes + cell.phantoms < w.id_count, here != 0))
+        cells.push(cell);
       seen += here;
       i += cell.homes + cell.phantoms;
     }

@@ -5,6 +5,7 @@
 // Idea: float32 with a proved band decides all but a few pairs in a million; the rule that names
 //       the one cell in which a pair counts is asked only for pairs that may overlap.
 #include "harness/interface/as_written.hpp"
+#include "harness/interface/faults.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 #include "impl_cpu/pair_sink.hpp"
 #include "impl_cpu/tile.hpp"
@@ -33,7 +34,8 @@ struct EveryPair {
 struct LowestCell {
   static constexpr bool rows_are_homes = false;
   [[nodiscard]] bool counts_here(Member a, Member b) const {
-    return ((a.object | b.object) & kLowestMask) == kLowestMask;
+    return OCTOCELL_FAULT(lowest_cell_rule_dropped, true,
+                          ((a.object | b.object) & kLowestMask) == kLowestMask);
   }
 };
 
@@ -88,7 +90,8 @@ class PairTester {
 
   /// The first `rows` of the tile against all that follow them.
   void test_within(const Tile<test>& tile, std::size_t rows) {
-    for (std::size_t i = 0; i < rows; ++i) test_row(tile, i, tile, i + 1);
+    for (std::size_t i = 0; i < rows; ++i)
+      test_row(tile, i, tile, OCTOCELL_FAULT(tile_pairs_with_self, i, i + 1));
   }
 
   void test_between(const Tile<test>& a, std::size_t rows, const Tile<test>& b) {
@@ -131,7 +134,9 @@ void test_tiles(Workspace& w, RuleTest rule, std::uint64_t rows, std::uint64_t c
     load(tester, a, begin, std::min<std::uint64_t>(kTileSpheres, count - begin));
     const std::size_t rows_here = std::min<std::uint64_t>(a.size, rows - begin);
     tester.test_within(a, rows_here);
-    for (std::uint64_t next = begin + kTileSpheres; next < count; next += kTileSpheres) {
+    for (std::uint64_t next = begin + kTileSpheres;
+         OCTOCELL_FAULT(tile_last_missing, next + kTileSpheres < count, next < count);
+         next += kTileSpheres) {
       load(tester, b, next, std::min<std::uint64_t>(kTileSpheres, count - next));
       tester.test_between(a, rows_here, b);
     }

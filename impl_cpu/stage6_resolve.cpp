@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "harness/interface/faults.hpp"
 #include "impl_cpu/lanes.hpp"
 #include "impl_cpu/stages.hpp"
 
@@ -42,8 +43,9 @@ Verdicts float64_verdicts(const Abreast& a, const Abreast& b) {
                                        reals(b.y), reals(b.z), reals(b.r));
   const auto certain = bits_of(abs(test.excess) > test.bound);
   const auto exact = bits_of(test.rounding == 0.0);
-  return {.overlap = bits_of(test.excess <= 0.0),
-          .doubt = static_cast<LaneBits>(~(certain | exact))};
+  return {
+      .overlap = OCTOCELL_FAULT(doubts_taken_as_pairs, LaneBits{0xff}, bits_of(test.excess <= 0.0)),
+      .doubt = static_cast<LaneBits>(~(certain | exact))};
 }
 
 }  // namespace
@@ -79,10 +81,12 @@ void resolve(Workspace& w) {
   constexpr std::uint64_t kDoubtsPerBlock = 4096;
   if (w.plan.count_only) return;  // stage 5 had them resolved block by block
   const std::span<const Pair> doubts = w.doubts.items();
-  w.threads->for_blocks(doubts.size(), kDoubtsPerBlock,
-                        [&](std::uint64_t begin, std::uint64_t end) {
-                          resolve_block(w, doubts.subspan(begin, end - begin));
-                        });
+  w.threads->for_blocks(
+      OCTOCELL_FAULT(doubts_after_first_block_lost,
+                     std::min<std::uint64_t>(doubts.size(), kDoubtsPerBlock), doubts.size()),
+      kDoubtsPerBlock, [&](std::uint64_t begin, std::uint64_t end) {
+        resolve_block(w, doubts.subspan(begin, end - begin));
+      });
 }
 
 }  // namespace octocell::cpu

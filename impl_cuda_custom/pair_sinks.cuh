@@ -2,6 +2,7 @@
 // Where stage 5 leaves what it finds: in the two lists, or only in the sums.
 #pragma once
 
+#include "harness/interface/faults.hpp"
 #include "harness/interface/flags.hpp"
 #include "impl_cuda_custom/exact.cuh"
 #include "impl_cuda_custom/pair_writer.cuh"
@@ -24,7 +25,8 @@ struct SinkArguments {
 inline SinkArguments sink_arguments_of(Workspace& w) {
   State* const state = w.state.data();
   return {.pairs = {w.pairs.data(), w.plan.capacity.pairs, &state->pairs},
-          .doubts = {w.doubts.data(), w.plan.capacity.doubts, &state->doubts},
+          .doubts = {w.doubts.data(), w.plan.capacity.doubts,
+                     OCTOCELL_FAULT(cuda_doubts_in_pairs_counter, &state->pairs, &state->doubts)},
           .spheres = w.spheres.data(),
           .flags = w.flags_or_none(),
           .state = state};

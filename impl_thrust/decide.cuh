@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "harness/interface/faults.hpp"
 #include "harness/interface/pair.hpp"
 #include "harness/interface/predicate.hpp"
 
@@ -14,7 +15,10 @@ __attribute__((noinline)) OCTOCELL_HD bool overlap(const Sphere& a, const Sphere
 /// Decides a doubt.
 struct Overlaps {
   const Sphere* spheres;
-  OCTOCELL_HD bool operator()(Pair pair) const { return overlap(spheres[pair.i], spheres[pair.j]); }
+  OCTOCELL_HD bool operator()(Pair pair) const {
+    return OCTOCELL_FAULT(thrust_doubts_taken_as_pairs, true,
+                          overlap(spheres[pair.i], spheres[pair.j]));
+  }
 };
 
 }  // namespace octocell::on_thrust

@@ -13,6 +13,7 @@
 #include <thrust/scan.h>
 #include <thrust/transform_reduce.h>
 
+#include "harness/interface/faults.hpp"
 #include "impl_thrust/half_shell/half_shell.cuh"
 
 namespace octocell::on_thrust {
@@ -41,8 +42,10 @@ struct CellAt {
 
   OCTOCELL_HD CellEntry operator()(std::uint64_t c) const {
     const std::uint32_t begin = begins[c];
-    const std::uint32_t end =
-        c + 1 < cell_count ? begins[c + 1] : static_cast<std::uint32_t>(id_count);
+    const std::uint32_t end = c + 1 < cell_count
+                                  ? begins[c + 1]
+                                  : static_cast<std::uint32_t>(OCTOCELL_FAULT(
+                                        thrust_last_cell_short, id_count - 1, id_count));
     std::uint32_t low = begin;  // homes lie below it
     std::uint32_t high = end;   // phantoms from here on
     while (low < high) {

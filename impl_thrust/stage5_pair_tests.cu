@@ -8,6 +8,7 @@
 #include <thrust/sequence.h>
 
 #include "harness/interface/as_written.hpp"
+#include "harness/interface/faults.hpp"
 #include "harness/interface/flags.hpp"
 #include "impl_thrust/found_pairs.cuh"
 #include "impl_thrust/gather.cuh"
@@ -32,7 +33,9 @@ struct RuleTest {
     if (every_pair) return true;
     // The cell must be the lowest that both meet: on each axis, the lowest of one of them.
     // (Dittrich and Seeger, ICDE 2000, reference point method.)
-    if (rule == Rule::lowest_cell) return ((a | b) & kLowestMask) == kLowestMask;
+    if (rule == Rule::lowest_cell)
+      return OCTOCELL_FAULT(thrust_lowest_cell_rule_dropped, true,
+                            ((a | b) & kLowestMask) == kLowestMask);
     if (rule == Rule::chapter32) {  // a row is a home, so its home's type is the cell's
       const chapter32::ControlBits row = control_bits[a & kIdMask];
       return chapter32::tests_pair_here(row & 7U, row, control_bits[b & kIdMask]);

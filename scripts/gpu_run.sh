@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # On a machine with a GPU, from an unpacked bundle: what proves it and what is published.
-# gpu_run.sh STEP..., steps being tests, check, stress, near_ties, sanitizers, sort, bench, large (default: tests check).
+# gpu_run.sh STEP..., steps being tests, check, stress, near_ties, sanitizers, mutants, sort, bench, large (default: tests check).
 # OUT names the folder for logs and JSON (default: out, beside this file).
 # shellcheck disable=SC2317  # steps are called by their names
 set -uo pipefail
@@ -61,6 +61,10 @@ sanitizers() {  # small scenes: the tools make everything hundreds of times slow
       "$here/tests/test_radix_sort" --gtest_brief=1 --gtest_filter='*FewerPairs*:*NoMore*:*AgreesWith*' &
   done
   wait
+}
+
+mutants() {  # of a bundle made with FAULTS=ON
+  run python3 "$here/mutation/mutants.py" --build "$here" --only 'cuda_.*' --jobs 1 -o "$OUT/mutants.json"
 }
 
 sort() { run "$octocell" bench-sort --device gpu -o "$OUT/sort.json"; }

@@ -3,13 +3,18 @@
 # Packs the program, the libraries it needs, the GPU tests, the reports and the real scenes into
 # dist/octocell.tar.gz, for a machine where nothing can be installed. Arguments: architectures of
 # GPUs as CMake spells them (90-real). Ends with a trial in a root directory that holds only glibc.
+# With FAULTS=ON, dist/octocell-faults.tar.gz: the same from a build with planted faults.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 IFS=';' architectures="$*"
 unset IFS
 tests=(test_cuda_custom test_cuda_half_shell test_cuda_precision test_near_ties test_radix_sort test_backends_agree test_buffers)
-bundle=dist/octocell
+FAULTS=${FAULTS:-OFF}
+name=octocell
+build="build-bundle"
+[ "$FAULTS" = OFF ] || { name=octocell-faults; build="build-bundle-faults"; }
+bundle=dist/$name
 
 say() { echo "bundle: $*"; }
 
@@ -20,21 +25,22 @@ libraries_of() {
 }
 
 build() {
-  cmake --preset bundle -DCMAKE_CUDA_ARCHITECTURES="$architectures" >/dev/null
-  cmake --build build-bundle --target octocell "${tests[@]}"
+  cmake --preset bundle -B "$build" -DOCTOCELL_FAULTS="$FAULTS" -DCMAKE_CUDA_ARCHITECTURES="$architectures" >/dev/null
+  cmake --build "$build" --target octocell "${tests[@]}"
 }
 
 pack() {
   rm -rf "$bundle"
   mkdir -p "$bundle"/{lib,tests,data}
-  install --strip build-bundle/octocell "$bundle"
-  for test in "${tests[@]}"; do install --strip "build-bundle/tests/$test" "$bundle/tests"; done
+  install --strip "$build/octocell" "$bundle"
+  for test in "${tests[@]}"; do install --strip "$build/tests/$test" "$bundle/tests"; done
   libraries_of "$bundle/octocell" "$bundle"/tests/* | xargs -I{} install --mode=644 {} "$bundle/lib"
   cp -r reports/octocell_report reports/requirements.txt "$bundle"
   find "$bundle" -name __pycache__ -prune -exec rm -rf {} +
   cp scripts/gpu_run.sh README.md LICENSE "$bundle"
   for scene in data/1A2C.pqr data/adk_oplsaa.npy; do [ ! -f "$scene" ] || cp "$scene" "$bundle/data"; done
-  tar -C dist -czf dist/octocell.tar.gz octocell
+  [ "$FAULTS" = OFF ] || cp -r tests/mutation "$bundle"
+  tar -C dist -czf "dist/$name.tar.gz" "$name"
 }
 
 # A root with the bundle and glibc, nothing more: what else it needed would be missing.
@@ -43,13 +49,13 @@ try_in_bare_root() {
   local root
   root=$(mktemp -d)
   trap 'rm -rf "$root"' RETURN
-  tar -C "$root" -xzf dist/octocell.tar.gz
-  ldd build-bundle/octocell | grep -Eo '/[^ ]*/(libc|libm|libdl|librt|libpthread|ld-linux[^/ ]*)\.so[^ ]*' |
+  tar -C "$root" -xzf "dist/$name.tar.gz"
+  ldd "$build/octocell" | grep -Eo '/[^ ]*/(libc|libm|libdl|librt|libpthread|ld-linux[^/ ]*)\.so[^ ]*' |
     sort -u | while read -r file; do install -D "$file" "$root$file"; done
   mkdir "$root/proc"
   for command in "octocell check gas:n=500" "tests/test_cuda_custom --gtest_brief=1"; do
     say "$command"  # the loader asks /proc where $ORIGIN is
-    unshare --mount bash -c "mount --bind /proc $root/proc && chroot $root /octocell/$command" | tail -n 2
+    unshare --mount bash -c "mount --bind /proc $root/proc && chroot $root /$name/$command" | tail -n 2
   done
 }
 
@@ -57,6 +63,6 @@ build
 pack
 say "trying it in a bare root"
 try_in_bare_root
-size=$(stat -c %s dist/octocell.tar.gz)
-say "dist/octocell.tar.gz: $((size / 1000000)) MB, GPUs $architectures"
+size=$(stat -c %s "dist/$name.tar.gz")
+say "dist/$name.tar.gz: $((size / 1000000)) MB, GPUs $architectures"
 [ "$size" -lt 60000000 ] || { say "more than 60 MB"; exit 1; }

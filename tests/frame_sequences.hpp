@@ -130,6 +130,23 @@ inline Frames along_a_line() {
   return frames;
 }
 
+/// Couples, far from each other, of two that come closer, over gaps of all widths: whatever the
+/// width of a skin, some were not near when it was put on and meet before it must be left.
+inline Frames couples_that_meet() {
+  constexpr int kCouples = 300;
+  Frames frames(100);
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    for (int c = 0; c < kCouples; ++c) {
+      const float half_gap = 0.0015F * static_cast<float>(c) - 0.004F * static_cast<float>(f);
+      const auto y = static_cast<float>(3 * (c % 20));
+      const auto z = static_cast<float>(3 * (c / 20));
+      frames[f].push_back({-0.5F - half_gap, y, z, 0.5F});
+      frames[f].push_back({0.5F + half_gap, y, z, 0.5F});
+    }
+  }
+  return frames;
+}
+
 /// Spheres come and go.
 inline Frames numbers_change() {
   Frames frames = played("gas:n=1500", Motion::few, 8);
@@ -169,6 +186,7 @@ inline std::vector<Sequence> sequences() {
   all.push_back({"wrapped, slow", wrapped(Motion::slow)});
   all.push_back({"wrapped, few", wrapped(Motion::few)});
   all.push_back({"along a line", along_a_line()});
+  all.push_back({"couples that meet", couples_that_meet()});
   all.push_back({"numbers change", numbers_change()});
   return all;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -60,6 +61,14 @@ TEST(CellIds, OfChapter32CoverTheSphereScaledBySqrtTwo) {
   const Scene scene = generate("poly:n=5001");
   const auto w = after_cell_ids(scene, {.rule = Rule::chapter32});
   EXPECT_EQ(listed_ids(*w), expected_ids(*w, chapter32::kScale));
+}
+
+/// What claim C asks of the scale, for every significand; both squares are exact in float64.
+TEST(CellIds, OfChapter32ReachNoLessThanRootTwo) {
+  const auto square = [](float value) { return static_cast<double>(value) * value; };
+  for (float r = 1.0F; r < 2.0F; r = std::nextafter(r, 2.0F)) {
+    ASSERT_GE(square(chapter32::reach(r)), 2.0 * square(r)) << r;
+  }
 }
 
 TEST(CellIds, HomesComeFirstInOrderAndAloneLackThePhantomBit) {

@@ -121,6 +121,22 @@ TEST(EveryFrame, OfAnotherNumberIsForgotten) {
   }
 }
 
+/// Nothing moves; who may collide with whom changes, in place.
+TEST(EveryFrame, GoesByTheFlagsOfNow) {
+  const Spheres spheres = generate("dense:n=1500").spheres;
+  std::vector<Flags> flags(spheres.size());
+  const SceneView scene = {spheres, flags};
+  const std::unique_ptr<PairFinder> finder = cpu::make_backend();
+  finder->upload(plan_scene(scene, moving()), scene);
+  HostClock clock;
+  for (const std::uint32_t group : {1, 1, 2, 2, 1}) {
+    for (std::size_t i = 0; i < flags.size(); i += 2) flags[i] = make_flags(false, group, group);
+    finder->update(scene);
+    finder->find_pairs(clock);
+    EXPECT_EQ(finder->digest(), digest_of(reference::exact_pairs(spheres, flags))) << group;
+  }
+}
+
 // ---------------------------------------------------------------------------- and at what expense
 
 bool ran(const StageTimes& times, Stage stage) {

@@ -8,6 +8,7 @@
 #include "harness/reference/reference.hpp"
 #include "harness/scenes/scenes.hpp"
 #include "impl_cpu/backend.hpp"
+#include "impl_cpu/half_shell/half_shell.hpp"
 #include "impl_cpu/half_shell/row_cursor.hpp"
 
 namespace octocell::cpu {
@@ -118,6 +119,18 @@ TEST(HalfShellWraps, SeamsOfEveryAxisAreCrossed) {
   }
 }
 
+/// Rows of 32: one begins with sphere 16384, as a block of stage 4 does.
+TEST(HalfShellRows, MayBeginWhereABlockDoes) {
+  static_assert(half_shell::kIndexedPerBlock % 32 == 0 && half_shell::kIndexedPerBlock < 32768);
+  const Scene scene = generate("lattice:n=32768,shuffle=1");
+  const PairDigest truth = exact_digest(scene.view());
+  for (const int threads : {1, 3}) {
+    PairDigest found;
+    find_in(scene.view(), {.method = Method::half_shell, .threads = threads}, found);
+    EXPECT_EQ(found, truth) << threads << " threads";
+  }
+}
+
 TEST(HalfShellWork, GrowsWithSpheresAndPairs) {
   for (const char* spec : {"gas:n=50000", "dense:n=50000", "poly:n=50000", "poly:n=50000,ratio=1e6",
                            "cluster:n=50000", "giant:n=50000", "discs:n=50000", "chain:n=50000",
@@ -148,6 +161,18 @@ TEST(HalfShellSkips, IdsThatComeInOrderAreNotSorted) {
   EXPECT_TRUE(used("chain:n=20000", Skips::all()).has(Skip::sort));
   EXPECT_FALSE(used("chain:n=20000", Skips::all().without(Skip::sort)).has(Skip::sort));
   EXPECT_FALSE(used("gas:n=20000", Skips::all()).has(Skip::sort));
+}
+
+/// A lattice of 16^3, in order, and once more: each block of stage 2 is in order, the whole is not.
+TEST(HalfShellSkips, IdsInOrderWithinBlocksAloneAreSorted) {
+  Scene scene = generate("lattice:n=4096");
+  PairDigest found;
+  const PlanOptions options = {.method = Method::half_shell};
+  EXPECT_TRUE(find_in(scene.view(), options, found).counts.used.has(Skip::sort));
+  const std::vector<Sphere> once = scene.spheres;
+  scene.spheres.insert(scene.spheres.end(), once.begin(), once.end());
+  EXPECT_FALSE(find_in(scene.view(), options, found).counts.used.has(Skip::sort));
+  EXPECT_EQ(found, exact_digest(scene.view()));
 }
 
 TEST(HalfShellSkips, DigitsThatAllIdsShareAreNotSortedBy) {

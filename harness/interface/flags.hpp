@@ -3,6 +3,7 @@
 // looks for a pair's exact answer; only the reference has words of its own for it.
 #pragma once
 
+#include "harness/interface/faults.hpp"
 #include "harness/interface/host_device.hpp"
 #include "harness/interface/sphere.hpp"
 
@@ -16,7 +17,7 @@ OCTOCELL_HD std::uint32_t mask_of(Flags f) { return f.word >> 16; }
 /// collision filter (btOverlappingPairCache::needsBroadphaseCollision).
 OCTOCELL_HD bool may_collide(Flags a, Flags b) {
   return !(is_static(a) && is_static(b)) && (group_of(a) & mask_of(b)) != 0 &&
-         (group_of(b) & mask_of(a)) != 0;
+         OCTOCELL_FAULT(flags_one_way, true, (group_of(b) & mask_of(a)) != 0);
 }
 
 /// False where it is certain that no two spheres may collide, so that nothing need be searched. One
@@ -34,7 +35,8 @@ inline bool some_may_collide(std::span<const Flags> flags) {
     moving_groups |= group_of(f) & if_moving;
     moving_masks |= mask_of(f) & if_moving;
   }
-  return (moving_groups & masks) != 0 && (moving_masks & groups) != 0;
+  return (moving_groups & OCTOCELL_FAULT(flags_search_given_up, moving_masks, masks)) != 0 &&
+         (moving_masks & groups) != 0;
 }
 
 }  // namespace octocell

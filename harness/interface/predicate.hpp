@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "harness/interface/faults.hpp"
 #include "harness/interface/host_device.hpp"
 #include "harness/interface/sphere.hpp"
 
@@ -36,9 +37,10 @@ inline constexpr float kFloatMax = 0x1.fffffep127F;
 /// The radius as level 1 uses it; once per sphere.
 template <Band band>
 OCTOCELL_HD float band_radius(float r) {
-  const float grown = r * kRadiusGrowth;
+  const float grown = r * OCTOCELL_FAULT(band_growth_too_small, 0x1.000004p0F, kRadiusGrowth);
   if constexpr (band == Band::fast) return grown;
-  return grown < kSafeRadiusFloor ? kSafeRadiusFloor : grown;
+  return OCTOCELL_FAULT(band_no_radius_floor, grown,
+                        grown < kSafeRadiusFloor ? kSafeRadiusFloor : grown);
 }
 
 /// D: the squared distance in float32, any order, with or without FMA.
@@ -53,7 +55,15 @@ OCTOCELL_HD float band_distance2(const Sphere& a, const Sphere& b) {
 /// `a.r` and `b.r` are band radii.
 OCTOCELL_HD bool band_may_overlap(const Sphere& a, const Sphere& b) {
   const float reach = a.r + b.r;
-  return !(band_distance2(a, b) > reach * reach);
+  return OCTOCELL_FAULT(band_touching_apart, band_distance2(a, b) < reach * reach,
+                        !(band_distance2(a, b) > reach * reach));
+}
+
+/// D below it proves "overlap", for `reach2` = H.
+template <Band band>
+OCTOCELL_HD float band_sure_below(float reach2) {
+  const float finite = band == Band::fast || reach2 < kFloatMax ? reach2 : kFloatMax;
+  return finite * OCTOCELL_FAULT(band_sure_fraction_too_large, 0x1.ffffd4p-1F, kSureFraction);
 }
 
 /// For pairs that may overlap: is it certain?  `a.r` and `b.r` are band radii.
@@ -61,10 +71,9 @@ template <Band band>
 OCTOCELL_HD bool band_is_sure(const Sphere& a, const Sphere& b) {
   const float reach = a.r + b.r;
   const float reach2 = reach * reach;
-  const float distance2 = band_distance2(a, b);
-  if constexpr (band == Band::fast) return distance2 < reach2 * kSureFraction;
-  const float finite = reach2 < kFloatMax ? reach2 : kFloatMax;
-  return reach2 >= kSafeSureFloor && distance2 < finite * kSureFraction;
+  const bool sure = band_distance2(a, b) < band_sure_below<band>(reach2);
+  if constexpr (band == Band::fast) return sure;
+  return OCTOCELL_FAULT(band_no_sure_floor, true, reach2 >= kSafeSureFloor) && sure;
 }
 
 namespace exact {
@@ -79,12 +88,19 @@ template <typename Real>
 OCTOCELL_HD Sum<Real> two_sum(Real a, Real b) {
   const Real sum = a + b;
   const Real b_part = sum - a;
-  return {sum, (a - (sum - b_part)) + (b - b_part)};
+  return {sum,
+          OCTOCELL_FAULT(two_sum_error_dropped, Real(0.0), (a - (sum - b_part)) + (b - b_part))};
 }
 template <typename Real>
 OCTOCELL_HD Real square_error(Real a, Real square) {
   using std::fma;
   return fma(a, a, -square);
+}
+
+/// Both sides of level 2 carry at most 8 roundings of 2^-53; ten leave room for the second order.
+template <typename Real>
+OCTOCELL_HD Real float64_bound(Real reach2) {
+  return OCTOCELL_FAULT(float64_bound_too_small, 1.0, 10.0) * 0x1p-53 * reach2;
 }
 
 /// Level 2 for two spheres, or, with a vector of float64 as `Real`, for as many at once. float32
@@ -113,8 +129,7 @@ struct Float64Test {
     reach = radii.value;
     reach2 = reach * reach;
     excess = distance2 - reach2;
-    // Both sides carry at most 8 roundings of 2^-53; ten leave room for the second order.
-    bound = 10.0 * 0x1p-53 * reach2;
+    bound = float64_bound<Real>(reach2);
     rounding = abs(dx.error) + abs(dy.error) + abs(dz.error) + abs(radii.error) +  //
                abs(xy.error) + abs(xyz.error) +                                    //
                abs(square_error<Real>(dx.value, xx)) + abs(square_error<Real>(dy.value, yy)) +
@@ -127,7 +142,9 @@ OCTOCELL_HD Verdict float64_test(const Sphere& a, const Sphere& b) {
   if (test.excess > test.bound) return Verdict::apart;
   if (test.excess < -test.bound) return Verdict::overlap;
   if (test.rounding != 0.0) return Verdict::doubt;
-  return test.excess <= 0.0 ? Verdict::overlap : Verdict::apart;
+  return OCTOCELL_FAULT(float64_touching_apart, test.excess < 0.0, test.excess <= 0.0)
+             ? Verdict::overlap
+             : Verdict::apart;
 }
 
 /// Level 3: little-endian integers of `kLimbs` 32-bit limbs, in units of 2^-149.
@@ -145,7 +162,9 @@ OCTOCELL_HD Fixed fixed_magnitude(float value) {
   std::uint32_t bits;
   memcpy(&bits, &value, sizeof bits);
   const std::uint32_t exponent = (bits >> 23) & 0xffU;
-  const std::uint64_t significand = (bits & 0x7fffffU) | (exponent == 0 ? 0U : 1U << 23);
+  const std::uint64_t significand =
+      (bits & 0x7fffffU) |
+      (OCTOCELL_FAULT(subnormal_as_normal, false, exponent == 0) ? 0U : 1U << 23);
   const std::uint32_t shift = exponent == 0 ? 0 : exponent - 1;
   Fixed fixed = {};
   const std::uint64_t spread = significand << (shift % 32);
@@ -160,7 +179,7 @@ OCTOCELL_HD Fixed add(const Fixed& a, const Fixed& b) {
   for (int i = 0; i < kLimbs; ++i) {
     carry += std::uint64_t{a.limb[i]} + b.limb[i];
     sum.limb[i] = static_cast<std::uint32_t>(carry);
-    carry >>= 32;
+    carry = OCTOCELL_FAULT(integer_add_carry_dropped, std::uint64_t{0}, carry >> 32);
   }
   return sum;
 }
@@ -202,7 +221,8 @@ OCTOCELL_HD void add_square(Square& sum, const Fixed& a) {
       sum.limb[i + j] = static_cast<std::uint32_t>(carry);
       carry >>= 32;
     }
-    for (int k = i + kLimbs; carry != 0 && k < 2 * kLimbs; ++k) {
+    for (int k = i + kLimbs;
+         OCTOCELL_FAULT(integer_square_carry_dropped, false, carry != 0) && k < 2 * kLimbs; ++k) {
       carry += sum.limb[k];
       sum.limb[k] = static_cast<std::uint32_t>(carry);
       carry >>= 32;
@@ -220,7 +240,7 @@ OCTOCELL_HD bool integer_test(const Sphere& a, const Sphere& b) {
   for (int i = 2 * kLimbs - 1; i >= 0; --i) {
     if (distance2.limb[i] != reach2.limb[i]) return distance2.limb[i] < reach2.limb[i];
   }
-  return true;  // tangent spheres overlap
+  return OCTOCELL_FAULT(integer_touching_apart, false, true);  // tangent spheres overlap
 }
 
 }  // namespace exact

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/interface/faults.hpp"
 #include "harness/planner/choose_test.hpp"
 
 namespace octocell {
@@ -17,7 +18,8 @@ PairTest exact_test(const SceneStats& stats, const PlanOptions& options) {
   }
   if (!allowed.has(Skip::safe_band)) return PairTest::band_safe;
   if (facts.r_max == 0.0F) return PairTest::band_fast;
-  if (facts.r_min_nonzero < kFastRadiusMin || facts.r_max > kFastRadiusMax) {
+  if (OCTOCELL_FAULT(fast_band_for_tiny_radii, false, facts.r_min_nonzero < kFastRadiusMin) ||
+      facts.r_max > kFastRadiusMax) {
     return PairTest::band_safe;
   }
   const bool equal = facts.r_min == facts.r_max && allowed.has(Skip::equal_radii);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "harness/interface/faults.hpp"
 #include "harness/planner/planner.hpp"
 
 namespace octocell {
@@ -278,7 +279,8 @@ class LevelSearch {
 int key_bits_of(const Levels& levels) {
   if (levels.count == 0) return 0;
   const Level& last = levels.level[levels.count - 1];
-  return static_cast<int>(std::bit_width(last.first_id + last.ids - 1));
+  return static_cast<int>(std::bit_width(OCTOCELL_FAULT(
+      key_bits_one_short, (last.first_id + last.ids - 1) / 2, last.first_id + last.ids - 1)));
 }
 
 double estimate_cost(const SceneStats& stats, const Levels& levels, int key_bits,

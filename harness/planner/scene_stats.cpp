@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "harness/interface/error.hpp"
+#include "harness/interface/faults.hpp"
 #include "harness/interface/flags.hpp"
 #include "harness/interface/pair.hpp"
 #include "harness/planner/lattice.hpp"
@@ -68,7 +69,7 @@ std::vector<RadiusClass> classify_radii(SceneView scene, const PlanFacts& facts)
     RadiusClass& c = classes[std::bit_cast<std::uint32_t>(s.r) >> 23 & 0xffU];
     ++c.count;
     c.radius_sum += s.r;
-    c.largest = std::max(c.largest, s.r);
+    c.largest = OCTOCELL_FAULT(level_radius_of_last, s.r, std::max(c.largest, s.r));
   }
   std::vector<RadiusClass> found;
   for (const RadiusClass& c : classes) {
@@ -103,7 +104,7 @@ FactsPass measure_facts(std::span<const Sphere> spheres) {
   for (; i + kAbreast <= spheres.size(); i += kAbreast) lanes.add(&spheres[i], above_zero);
   Sphere rest[kAbreast];
   for (std::size_t k = 0; k < kAbreast; ++k) rest[k] = spheres[std::min(i + k, spheres.size() - 1)];
-  lanes.add(rest, above_zero);
+  OCTOCELL_FAULT(bounds_last_spheres_unseen, void(), lanes.add(rest, above_zero));
 
   float lowest[4] = {kInfinity, kInfinity, kInfinity, kInfinity};
   float highest[4] = {-kInfinity, -kInfinity, -kInfinity, -kInfinity};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "harness/scenes/text.hpp"
+#include "harness/interface/faults.hpp"
 
 #include <fmt/format.h>
 
@@ -49,7 +50,8 @@ DecimalFloat parse_float(std::string_view text) {
 }
 
 std::optional<std::string_view> next_line(std::string_view& rest) {
-  if (rest.empty()) return std::nullopt;
+  if (OCTOCELL_FAULT(text_last_line_lost, rest.find('\n') == std::string_view::npos, rest.empty()))
+    return std::nullopt;
   const std::size_t end = rest.find('\n');
   const std::string_view line = rest.substr(0, end);
   rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);

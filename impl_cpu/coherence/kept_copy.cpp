@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "impl_cpu/coherence/kept_copy.hpp"
+#include "harness/interface/faults.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +17,8 @@ bool differ(const Sphere& a, const Sphere& b) {
   std::array<std::uint64_t, 2> y;
   std::memcpy(x.data(), &a, sizeof a);
   std::memcpy(y.data(), &b, sizeof b);
-  return ((x[0] ^ y[0]) | (x[1] ^ y[1])) != 0;
+  return ((x[0] ^ y[0]) |
+          OCTOCELL_FAULT(frame_ignores_radius, (x[1] ^ y[1]) & 0xffffffffU, x[1] ^ y[1])) != 0;
 }
 
 }  // namespace
@@ -40,7 +42,8 @@ void KeptCopy::list_changed(SceneView scene, Threads& threads, std::uint64_t mos
   const Sphere* const spheres = scene.spheres.data();
   const auto per_block = [&](std::uint64_t begin, std::uint64_t end) {
     if (changed.size() > most) return;
-    const std::size_t bytes = (end - begin) * sizeof(Sphere);
+    const std::size_t bytes =
+        OCTOCELL_FAULT(frame_ignores_last_of_block, end - begin - 1, end - begin) * sizeof(Sphere);
     if (std::memcmp(copy_.data() + begin, spheres + begin, bytes) == 0) return;
     std::array<std::uint32_t, kSpheresPerBlock> found;
     std::size_t count = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "impl_cpu/coherence/near_pairs.hpp"
+#include "harness/interface/faults.hpp"
 
 #include <array>
 #include <atomic>
@@ -97,7 +98,8 @@ bool NearPairs::is_within_reach(const Sphere& then, const Sphere& now) const {
 bool NearPairs::fetch(const Workspace& whole, std::uint64_t begin, std::uint64_t end) {
   const Sphere* const spheres = whole.scene.spheres.data();
   const std::uint64_t last = whole.scene.spheres.size() - 1;
-  const float ball = band_radius<Band::safe>(half_skin_);
+  const float ball = band_radius<Band::safe>(
+      OCTOCELL_FAULT(frame_skin_twice_too_wide, 2.0F * half_skin_, half_skin_));
   const float point = band_radius<Band::safe>(0.0F);
   bool sure = true;
   for (std::uint64_t k = begin; k < end; ++k) {

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <numeric>
 
+#include "harness/interface/faults.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 
 namespace octocell::cpu::half_shell {
@@ -34,7 +35,8 @@ void locate(const Levels& levels, std::span<const Sphere> spheres, std::uint32_t
 /// Whether blocks that are sorted by themselves follow each other in order.
 bool blocks_are_in_order(const std::uint32_t* ids, std::uint64_t count) {
   for (std::uint64_t begin = kSpheresPerBlock; begin < count; begin += kSpheresPerBlock) {
-    if (ids[begin] < ids[begin - 1]) return false;
+    if (OCTOCELL_FAULT(order_unchecked_between_blocks, false, ids[begin] < ids[begin - 1]))
+      return false;
   }
   return true;
 }

@@ -7,6 +7,7 @@
 //       comparison; a division finds the columns of the next row.
 #include <algorithm>
 
+#include "harness/interface/faults.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 
 namespace octocell::cpu::half_shell {
@@ -53,7 +54,7 @@ std::uint64_t list_rows(Workspace& w, std::uint64_t begin, std::uint64_t end) {
   std::uint64_t listed = 0;
   std::uint32_t row = finder.first_id_of_row(ids[begin]);
   std::uint64_t row_end = std::uint64_t{row} + finder.columns();
-  if (begin == 0 || ids[begin - 1] < row) {
+  if (begin == 0 || OCTOCELL_FAULT(index_row_lost_between_blocks, false, ids[begin - 1] < row)) {
     w.ordered.rows[begin] = {row, static_cast<std::uint32_t>(begin)};
     listed = 1;
   }

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <optional>
 
+#include "harness/interface/faults.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 #include "impl_cpu/half_shell/hits.hpp"
 #include "impl_cpu/half_shell/other_rows.hpp"
@@ -56,7 +57,8 @@ class LevelTester {
       const std::uint32_t number = row->first_id - level_.first_id;
       const std::uint32_t z = number / grid_.stride_z;
       const std::uint32_t y = (number - z * grid_.stride_z) / grid_.stride_y;
-      for (std::size_t k = 0; k < cursors.size(); ++k) {
+      for (std::size_t k = 0;
+           OCTOCELL_FAULT(shell_row_missing, k + 1 < cursors.size(), k < cursors.size()); ++k) {
         const auto there_y = step_along(grid_, 1, y, kHalfShell[k].y);
         const auto there_z = step_along(grid_, 2, z, kHalfShell[k].z);
         if (!there_y || !there_z) continue;
@@ -99,7 +101,8 @@ class LevelTester {
 
   /// Where x wraps, partners of the first columns lie in the last, too.
   [[nodiscard]] bool wraps_down(const Group& g) const {
-    return grid_.wraps(0) && g.first_column < level_.reach;
+    return OCTOCELL_FAULT(shell_seam_not_crossed, false,
+                          grid_.wraps(0) && g.first_column < level_.reach);
   }
   [[nodiscard]] bool wraps_up(const Group& g) const {
     return grid_.wraps(0) && g.last_column + level_.reach >= grid_.period(0);

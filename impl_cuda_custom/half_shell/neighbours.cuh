@@ -8,6 +8,7 @@
 //   lies.
 #pragma once
 
+#include "harness/interface/faults.hpp"
 #include "impl_cuda_custom/half_shell/cell_starts.cuh"
 
 namespace octocell::cuda_custom::half_shell {
@@ -226,9 +227,9 @@ inline Shells shells_of(Workspace& w, const CellStarts& starts) {
 inline OpenLevel open_level_of(Workspace& w, const CellStarts& starts) {
   const Level& level = w.plan.levels.level[0];
   return {.ids = level.ids,
-          .reach = level.reach,
+          .reach = OCTOCELL_FAULT(cuda_reach_short, level.reach - 1, level.reach),
           .row = level.grid.stride_y,
-          .layer = level.grid.stride_z,
+          .layer = OCTOCELL_FAULT(cuda_layer_missing, level.grid.stride_y, level.grid.stride_z),
           .starts = starts,
           .spheres = w.sorted_spheres.data(),
           .objects = w.sorted().values};

@@ -4,6 +4,7 @@
 // cache holds for the others.
 #include "impl_cuda_custom/half_shell/pair_tests.cuh"
 
+#include "harness/interface/faults.hpp"
 #include "impl_cuda_custom/half_shell/neighbours.cuh"
 #include "impl_cuda_custom/pair_sinks.cuh"
 #include "impl_cuda_custom/pair_test.cuh"
@@ -143,13 +144,16 @@ __global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce)
 
 template <typename Sink, typename Test, typename Stored>
 void test_runs(Workspace& w, const Test& test, const Stored* stored) {
+  const std::uint64_t count = w.sphere_count();
+  const unsigned blocks =
+      OCTOCELL_FAULT(cuda_blocks_missing, blocks_for(count / 2), blocks_for(count));
   with_neighbours(w, [&](const auto& neighbours) {
     const TestJob job = {.neighbours = neighbours,
                          .test = test,
                          .stored = stored,
                          .candidate_limit = w.plan.candidate_limit,
                          .sink = sink_arguments_of(w)};
-    half_shell_kernel<Sink><<<blocks_for(w.sphere_count()), kBlockThreads, 0, w.stream>>>(job);
+    half_shell_kernel<Sink><<<blocks, kBlockThreads, 0, w.stream>>>(job);
     cuda::check_launch();
   });
 }

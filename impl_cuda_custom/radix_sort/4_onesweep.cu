@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "harness/interface/cuda.cuh"
+#include "harness/interface/faults.hpp"
 #include "impl_cuda_custom/radix_sort/digit_histograms.cuh"
 #include "impl_cuda_custom/radix_sort/onesweep_tile.cuh"
 
@@ -192,7 +193,7 @@ void launch_passes(const Shape& shape, const Call& call) {
                        .starts = there.starts + static_cast<std::size_t>(p) * 2 * v.owners,
                        .next_tile = there.next_tile + p,
                        .words = there.words + look_back::kMargin * v.owners,
-                       .states = look_back::states_of(p),
+                       .states = look_back::states_of(OCTOCELL_FAULT(cuda_stale_look_back, 0, p)),
                        .ones = kOnes};
     const auto kernel = v.kernels[p == 0 ? 0 : 1][p == last ? 0 : 1];  // the caller has arrays
     const std::uint32_t tiles = parts_of(shape.capacity, v.tile_items);

@@ -8,6 +8,7 @@
 // work would be one work item's.
 #pragma once
 
+#include "harness/interface/faults.hpp"
 #include "impl_thrust/half_shell/half_shell.cuh"
 
 namespace octocell::on_thrust::half_shell {
@@ -60,7 +61,7 @@ struct Shell {
       const Level& level = levels->level[l];
       const Cell cell = wrapped_cell(level.grid, members[k]);
       for (int z = -1; z <= 1; ++z) {
-        for (int y = -1; y <= 1; ++y) {
+        for (int y = -1; OCTOCELL_FAULT(thrust_shell_row_missing, y < 1, y <= 1); ++y) {
           // Spheres of its own level in the other half find this one in theirs.
           if (l == own && (z < 0 || (z == 0 && y < 0))) continue;
           const Row* const row = row_at(level, cell, y, z);

@@ -41,7 +41,8 @@ long double danger_of_a_loss(const Two& two) {
 /// Above 1, a pair that is apart could be called sure: D^ / fl(L H) must not be below D / R.
 template <Band band>
 long double danger_of_a_false_pair(const Two& two) {
-  return grown_reach2<band>(two) * kSureFraction * true_ratio(two) / band_distance2(two.a, two.b);
+  return band_sure_below<band>(grown_reach2<band>(two)) * true_ratio(two) /
+         band_distance2(two.a, two.b);
 }
 
 /// Above 1, float64 could be certain and wrong: its error, in units of the bound it grants itself.
@@ -52,7 +53,7 @@ long double danger_of_float64(const Two& two) {
   const double reach = static_cast<double>(two.a.r) + two.b.r;
   const double reach2 = reach * reach;
   const long double ratio = static_cast<long double>(dx * dx + dy * dy + dz * dz) / reach2;
-  return std::abs(ratio / true_ratio(two) - 1.0L) / (10.0L * 0x1p-53L);
+  return std::abs(ratio / true_ratio(two) - 1.0L) / (exact::float64_bound(reach2) / reach2);
 }
 
 using Danger = long double (*)(const Two&);
