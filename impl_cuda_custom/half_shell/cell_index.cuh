@@ -78,9 +78,11 @@ struct OrderJob {
   const Sphere* spheres;  // as they came
   Sphere* ordered;
   Band band;
+  float growth;
   State* state;
 
   __device__ void put(std::uint32_t place, Sphere s) const {
+    if (growth > 0.0F) s.r = grown_radius(s.r, growth);
     s.r = band == Band::fast ? band_radius<Band::fast>(s.r) : band_radius<Band::safe>(s.r);
     reinterpret_cast<float4*>(ordered)[place] = {s.x, s.y, s.z, s.r};
   }
@@ -117,7 +119,7 @@ __global__ void __launch_bounds__(kBlockThreads)
 
 inline void cell_index(Workspace& w) {
   if (!w.half_shell()) return;
-  const std::uint32_t starts = starts_shape(w.plan).starts();
+  const std::uint32_t starts = starts_shape(w.levels(), w.plan.facts.sphere_count).starts();
   starts_kernel<<<parts_of(starts, kStartsPerBlock), kBlockThreads, 0, w.stream>>>(
       starts_of(w), starts, w.state.data());
   cuda::check_launch();
@@ -125,7 +127,8 @@ inline void cell_index(Workspace& w) {
     const OrderJob job = {.neighbours = neighbours,
                           .spheres = w.spheres.data(),
                           .ordered = w.sorted_spheres.data(),
-                          .band = w.plan.band,
+                          .band = w.band(),
+                          .growth = w.growth,
                           .state = w.state.data()};
     const unsigned blocks = blocks_for(w.sphere_count() + kReadBehind, kOrderedPerBlock);
     order_kernel<<<blocks, kBlockThreads, 0, w.stream>>>(job);

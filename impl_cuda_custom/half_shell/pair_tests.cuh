@@ -4,6 +4,7 @@
 // cache holds for the others.
 #pragma once
 
+#include "impl_cuda_custom/coherence/near_pairs.cuh"
 #include "impl_cuda_custom/half_shell/neighbours.cuh"
 #include "impl_cuda_custom/pair_sinks.cuh"
 
@@ -153,13 +154,15 @@ void test_runs(Workspace& w) {
   with_neighbours(w, [&](const auto& neighbours) {
     const TestJob job = {
         .neighbours = neighbours,
-        .band = w.plan.band,
+        .band = w.band(),
         .candidate_limit = w.plan.candidate_limit,
         .sink = {.pairs = {w.pairs.data(), w.plan.capacity.pairs, &state->pairs},
                  .doubts = {w.doubts.data(), w.plan.capacity.doubts, &state->doubts},
                  .spheres = w.spheres.data(),
                  .flags = w.flags_or_none(),
-                 .state = state}};
+                 .state = state,
+                 .near_pairs = coherence::near_list(w),
+                 .band = w.plan.band}};
     half_shell_kernel<Sink><<<blocks_for(w.sphere_count()), kBlockThreads, 0, w.stream>>>(job);
     cuda::check_launch();
   });
@@ -168,6 +171,7 @@ void test_runs(Workspace& w) {
 inline void pair_tests(Workspace& w) {
   if (!w.half_shell()) return;
   if (w.plan.count_only) return test_runs<Count>(w);
+  if (w.grows()) return test_runs<coherence::KeepNear>(w);
   test_runs<Keep>(w);
 }
 
