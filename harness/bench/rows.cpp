@@ -29,7 +29,7 @@ bool has_time_for(const Implementation& how, Rows rows) {
   };
   const bool is_default = how.planned();
   const bool on_device = how.backend->device;
-  if (rows == Rows::device_default) return on_device && is_default;
+  if (rows == Rows::device_default || rows == Rows::frames) return on_device && is_default;
   if (rows == Rows::ablation) return !how.is_baseline() && !how.exhibit();
   if (rows == Rows::device) return on_device;
   if (rows == Rows::headline) return on_device || is_default;
@@ -72,6 +72,13 @@ void add_ablation(std::vector<RowSpec>& rows, const RowSpec& planned) {
   }
 }
 
+/// A planned row whose frames take nothing over from the last.
+RowSpec rebuilt(RowSpec row) {
+  row.skips = "rebuilt";
+  row.allowed = Skips::all().without(Skip::unchanged).without(Skip::few_movers).without(Skip::skin);
+  return row;
+}
+
 }  // namespace
 
 std::string row_name(const RowSpec& row, const Group& group) {
@@ -92,6 +99,11 @@ std::vector<RowSpec> rows_of(const Group& group, std::string_view backend,
     if (group.rows == Rows::ablation) {
       rows.push_back({how, 1, group.moves() ? Run::dynamic : Run::warm});
       if (how.planned()) add_ablation(rows, RowSpec(rows.back()));
+      continue;
+    }
+    if (group.rows == Rows::frames) {
+      rows.push_back({how, 1, Run::dynamic});
+      rows.push_back(rebuilt(rows.back()));
       continue;
     }
     for (const int threads : thread_counts(how)) {
