@@ -28,6 +28,7 @@ quietly() {  # NAME COMMAND...: only how it ended is shown
 tests() {
   quietly radix_sort "$here/tests/test_radix_sort" --gtest_brief=1
   quietly cuda_custom "$here/tests/test_cuda_custom" --gtest_brief=1
+  quietly cuda_coherence "$here/tests/test_cuda_coherence" --gtest_brief=1
   quietly cuda_half_shell "$here/tests/test_cuda_half_shell" --gtest_brief=1
   quietly agree "$here/tests/test_backends_agree" --gtest_brief=1 --gtest_filter='*cuda*'
   quietly buffers "$here/tests/test_buffers" --gtest_brief=1 --gtest_filter='*cuda*'

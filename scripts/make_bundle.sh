@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 
 IFS=';' architectures="$*"
 unset IFS
-tests=(test_cuda_custom test_cuda_half_shell test_radix_sort test_backends_agree test_buffers)
+tests=(test_cuda_custom test_cuda_coherence test_cuda_half_shell test_radix_sort test_backends_agree test_buffers)
 bundle=dist/octocell
 
 say() { echo "bundle: $*"; }
