@@ -9,6 +9,7 @@
 
 #include "harness/interface/flags.hpp"
 #include "harness/planner/scene_stats.hpp"
+#include "impl_cuda_custom/coherence/coherence.cuh"
 #include "impl_cuda_custom/device.cuh"
 #include "impl_cuda_custom/device_runs.cuh"
 
@@ -44,15 +45,27 @@ class CudaBackend final : public GridPairFinder {
     if (w_.half_shell()) {  // its own kernel counts digits: there must be one
       w_.sorter.emplace(Rung::onesweep, plan.capacity.ids, std::max(plan.key_bits, 1));
     }
-    allocate();
+    w_.grown_sorter.reset();
+    if (plan.moving && plan.skin.growth > 0.0F && w_.half_shell()) {  // whatever flags will come
+      w_.grown_sorter.emplace(Rung::onesweep, plan.capacity.ids, std::max(plan.skin.key_bits, 1));
+    }
+    coherence_.flags_differ(w_);
+    make_room();
+    coherence_.reset(w_);
     update(scene);
   }
 
-  /// Nothing stands between runs: every find_pairs() starts from the spheres.
+  /// What the last frame left serves the next only where the device has proved that it may.
   void update(SceneView scene) override {
-    const bool flags_as_before = scene.flags.size() == w_.scene.flags.size();
-    if (!flags_as_before) runs_.forget_graph();  // it holds where they are, if they are
+    const bool sizes_as_before = scene.spheres.size() == w_.scene.spheres.size() &&
+                                 scene.flags.size() == w_.scene.flags.size();
+    if (!sizes_as_before) runs_.forget_graph();  // it holds where they are, if they are
     w_.scene = scene;
+    if (w_.plan.moving && coherence_.flags_differ(w_)) {
+      runs_.forget_graph();
+      make_room();
+      coherence_.forget(w_);
+    }
     w_.spheres.allocate(scene.spheres.size());
     w_.flags.allocate(scene.flags.size());
     // Here, where they are on the host: a pass over them, and only where the plan asks for it.
@@ -72,15 +85,24 @@ class CudaBackend final : public GridPairFinder {
   }
 
   Counts counts() override {
-    const State state = read_state();
+    State state = read_state();
+    if (coherence_.looked_at_too_many(w_, state)) {  // as they are, they may not be too many
+      HostClock unread(Marks::off);
+      find_pairs(unread);
+      state = read_state();
+    }
+    coherence_.learn(w_, state);
     Counts found;
     found.ids = state.ids;
     found.cells = state.cells;
     found.candidates = state.candidates;
     found.doubts = state.doubts;
     found.pairs = state.pairs;
-    found.over_candidate_limit = state.candidates > w_.plan.candidate_limit;
+    found.over_candidate_limit =
+        state.course == coherence::Course::search && state.candidates > w_.plan.candidate_limit;
     found.plan_violation = words_for(state.violations);
+    found.served_by = coherence::skip_of(state.course);
+    if (found.served_by) found.used = found.used.with(*found.served_by);
     return found;
   }
 
@@ -124,7 +146,8 @@ class CudaBackend final : public GridPairFinder {
 
  private:
   /// Says what is needed before anything is given up for it.
-  void allocate() {
+  void make_room() {
+    coherence_.choose_movers(w_);
     std::uint64_t more = 0;
     w_.for_each_array([&](auto& array, std::uint64_t elements) {
       if (elements > array.capacity()) more += (elements - array.capacity()) * array.kElementBytes;
@@ -161,6 +184,7 @@ class CudaBackend final : public GridPairFinder {
   }
 
   Workspace w_;
+  coherence::Coherence coherence_;
   bool flags_broken_ = false;  // the plan is not for flags like these
   CudaDeviceRuns runs_{*this, w_};
 };

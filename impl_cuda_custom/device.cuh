@@ -19,6 +19,10 @@ __device__ inline Sphere load_sphere(const Sphere* spheres, std::uint64_t i) {
   return {s.x, s.y, s.z, s.w};
 }
 
+__device__ inline void store_sphere(Sphere* spheres, std::uint64_t i, const Sphere& s) {
+  reinterpret_cast<float4*>(spheres)[i] = {s.x, s.y, s.z, s.r};
+}
+
 /// Returns the value before.
 __device__ inline std::uint64_t atomic_add(std::uint64_t* sum, std::uint64_t value) {
   static_assert(sizeof(std::uint64_t) == sizeof(unsigned long long));

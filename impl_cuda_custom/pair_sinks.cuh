@@ -15,6 +15,8 @@ struct SinkArguments {
   const Sphere* spheres;
   const Flags* flags;  // none: every pair may collide
   State* state;
+  PairList near_pairs = {};  // of a search of grown spheres, which tests them as they are
+  Band band = Band::safe;    // in this band
 
   /// Asked for pairs that were found only.
   [[nodiscard]] __device__ bool keeps_apart(Pair pair) const {

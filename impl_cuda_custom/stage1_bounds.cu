@@ -4,6 +4,7 @@
 // Cost: one pass, 16 bytes a sphere; none for half_shell, whose stage 2 checks on its way.
 // Idea: the plan's facts are limits, so every sphere is held against them by itself; nothing needs
 //       to be reduced, and in the good case nothing is written.
+#include "impl_cuda_custom/coherence/frames.cuh"
 #include "impl_cuda_custom/device.cuh"
 #include "impl_cuda_custom/sphere_facts.cuh"
 
@@ -50,10 +51,11 @@ State opening_state(const Workspace& w) {
 }  // namespace
 
 void bounds(Workspace& w) {
+  if (w.coherent()) return coherence::open_frame(w);
   constexpr int kOpeningThreads = 1024;
   open_state_kernel<<<1, kOpeningThreads, 0, w.stream>>>(
       w.state.data(), opening_state(w), reinterpret_cast<std::uint32_t*>(w.sort_scratch.data()),
-      w.half_shell() ? w.sorter->zeroed_words() : 0);
+      w.half_shell() ? w.sorter_now().zeroed_words() : 0);
   cuda::check_launch();
   if (w.sphere_count() == 0 || w.half_shell()) return;
   bounds_kernel<<<blocks_for(w.sphere_count(), kSpheresPerBlock), kBlockThreads, 0, w.stream>>>(

@@ -11,8 +11,8 @@ namespace octocell::cuda_custom {
 void sort(Workspace& w) {
   if (!w.sorter || w.sphere_count() == 0) return;
   if (w.half_shell()) {  // its stage 2 has counted the digits
-    return w.sorter->launch_passes(w.side(0), w.side(1), &w.state.data()->entries,
-                                   w.sort_scratch.data(), w.stream);
+    return w.sorter_now().launch_passes(w.side(0), w.side(1), &w.state.data()->entries,
+                                        w.sort_scratch.data(), w.stream);
   }
   w.sorter->launch(w.side(0), w.side(1), &w.state.data()->entries, w.sort_scratch.data(), w.stream);
 }

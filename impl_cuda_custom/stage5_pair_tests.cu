@@ -7,6 +7,7 @@
 //       cell, as far as the end of the next tile: both lie in shared memory, each sphere gathered
 //       once. What lies beyond, in crowded cells, is a second kernel's, tile by tile. Every
 //       candidate belongs to exactly one of the two, however large its cell is.
+#include "impl_cuda_custom/coherence/frames.cuh"
 #include "impl_cuda_custom/half_shell/pair_tests.cuh"
 #include "impl_cuda_custom/pair_sinks.cuh"
 #include "impl_cuda_custom/pair_test.cuh"
@@ -190,7 +191,12 @@ void test_columns(Workspace& w, std::uint64_t most_entries) {
 }  // namespace
 
 void pair_tests(Workspace& w) {
-  if (w.plan.method == Method::half_shell) return half_shell::pair_tests(w);
+  if (w.plan.method == Method::half_shell) {
+    half_shell::pair_tests(w);
+    if (w.allowed().near_pairs) coherence::test_near_pairs(w);
+    if (w.allowed().movers) coherence::test_movers(w);
+    return;
+  }
   const std::uint64_t most_entries = w.brute_force() ? w.sphere_count() : w.plan.capacity.ids;
   if (w.sphere_count() == 0 || most_entries == 0) return;
   if (w.plan.count_only) return test_columns<Count>(w, most_entries);

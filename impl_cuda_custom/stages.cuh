@@ -5,6 +5,8 @@
 
 #include <cuda_runtime.h>
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <optional>
 
@@ -13,6 +15,7 @@
 #include "harness/interface/object_word.hpp"
 #include "harness/interface/pair.hpp"
 #include "harness/interface/plan.hpp"
+#include "impl_cuda_custom/coherence/rules.hpp"
 #include "impl_cuda_custom/radix_sort/radix_sort.cuh"
 
 namespace octocell::cuda_custom {
@@ -38,6 +41,7 @@ struct State {
   std::uint64_t checksum = 0;  // of the pairs, in a count_only plan
   std::uint32_t violations = 0;
   std::uint32_t blocks_done = 0;  // of stage 2
+  coherence::Course course = coherence::Course::search;
 };
 
 /// A sphere that meets more cells than this has its phantoms written by many blocks, not by one.
@@ -63,11 +67,12 @@ struct StartsShape {
   /// Starts: one behind the last group of ids, and one for the group that begins there.
   [[nodiscard]] std::uint32_t starts() const { return (ids >> shift) + 2; }
 };
-inline StartsShape starts_shape(const Plan& plan) {
+inline StartsShape starts_shape(const Levels& levels, std::uint64_t spheres) {
   constexpr std::uint64_t kMostPerSphere = 8;
-  const Level& last = plan.levels.level[plan.levels.count - 1];
+  if (levels.count == 0) return {};
+  const Level& last = levels.level[levels.count - 1];
   StartsShape shape = {.ids = last.first_id + last.ids};
-  while (shape.ids >> shape.shift > kMostPerSphere * plan.facts.sphere_count + 1024) ++shape.shift;
+  while (shape.ids >> shape.shift > kMostPerSphere * spheres + 1024) ++shape.shift;
   return shape;
 }
 
@@ -79,7 +84,9 @@ struct Workspace {
   Plan plan;
   SceneView scene;  // on the host: words about a sphere are made of it
   cudaStream_t stream = nullptr;
-  std::optional<RadixSort> sorter;  // of the methods that have a grid
+  float growth = 0.0F;  // of each radius in this frame's search, if it has one (see coherence/)
+  std::optional<RadixSort> sorter;        // of the methods that have a grid
+  std::optional<RadixSort> grown_sorter;  // the same for grown spheres, where there may be some
 
   cuda::DeviceArray<State> state;                          // [1]
   cuda::DeviceArray<Sphere> spheres;                       // [spheres]
@@ -95,6 +102,16 @@ struct Workspace {
   cuda::DeviceArray<Pair> doubts;                 // [plan.capacity.doubts]
   cuda::DeviceArray<Pair> pairs;                  // [plan.capacity.pairs]
 
+  // Between frames, where they may be of use to each other:
+  cuda::DeviceArray<coherence::Kept> kept;       // [1]
+  cuda::DeviceArray<Sphere> sample;              // [coherence::kSampled] in the last frame
+  cuda::DeviceArray<Sphere> copy;                // [spheres] of the last frame, or of none
+  cuda::DeviceArray<Sphere> searched;            // [spheres] in the last search
+  cuda::DeviceArray<Pair> near_pairs;            // [plan.capacity.pairs] of the last search
+  std::uint32_t mover_room = 0;                  // spheres that are not static, where they are few
+  cuda::DeviceArray<std::uint32_t> movers;       // what is known of them; see movers_of()
+  cuda::DeviceArray<std::uint64_t> mover_heads;  // [buckets]
+
   [[nodiscard]] std::uint64_t sphere_count() const { return scene.spheres.size(); }
   [[nodiscard]] bool brute_force() const { return plan.method == Method::brute_force; }
   /// Where the flags are; none: every pair may collide.
@@ -106,11 +123,32 @@ struct Workspace {
     return plan.method == Method::half_shell && !plan.nothing_to_find && sphere_count() > 0 &&
            plan.levels.count > 0 && plan.capacity.ids >= sphere_count();
   }
+  /// What a frame may take over from the last. Plans that only count keep no pairs.
+  [[nodiscard]] coherence::Allowed allowed() const {
+    const bool any = plan.moving && half_shell() && !plan.count_only &&
+                     sphere_count() == plan.facts.sphere_count;
+    const bool has_movers = any && mover_room > 0;  // what they spare is worth more
+    const bool has_skin = any && !has_movers && plan.skin.growth > 0.0F;
+    return {.unchanged = any && plan.allowed.has(Skip::unchanged),
+            .near_pairs = has_skin,
+            .movers = has_movers,
+            .near_room = has_skin ? plan.capacity.pairs : 0};
+  }
+  [[nodiscard]] bool coherent() const { return allowed().any(); }
+  [[nodiscard]] bool keeps_searched() const { return allowed().near_pairs || allowed().movers; }
+  /// The cells of this frame's search, and what goes with them.
+  [[nodiscard]] bool grows() const { return growth > 0.0F; }
+  [[nodiscard]] const Levels& levels() const { return grows() ? plan.skin.levels : plan.levels; }
+  [[nodiscard]] const RadixSort& sorter_now() const { return grows() ? *grown_sorter : *sorter; }
+  [[nodiscard]] PairTest test() const { return grows() ? PairTest::band_safe : plan.test; }
+
   /// Cell ids (keys) with their objects (values), [plan.capacity.ids]: on side 0 before the sort.
   [[nodiscard]] KeysAndValues side(int which) const {
     return arrays_in(ids[which].data(), plan.capacity.ids);
   }
-  [[nodiscard]] KeysAndValues sorted() const { return side(sorter ? sorter->result_side() : 0); }
+  [[nodiscard]] KeysAndValues sorted() const {
+    return side(sorter ? sorter_now().result_side() : 0);
+  }
 
   /// Calls visit(array, elements) for each array, with the room that the plan asks for.
   template <typename Visit>
@@ -122,14 +160,25 @@ struct Workspace {
     for (auto& side : ids) visit(side, words_of_side(room.ids));
     const bool phantoms = plan.method == Method::home_phantom;
     visit(wide_spheres, phantoms ? room.ids / kWidePhantoms : 0);
-    visit(sort_scratch, sorter ? sorter->scratch_bytes() : 0);
+    const std::uint64_t grown_scratch = grown_sorter ? grown_sorter->scratch_bytes() : 0;
+    visit(sort_scratch, std::max(sorter ? sorter->scratch_bytes() : 0, grown_scratch));
     visit(control_bits, plan.rule == Rule::chapter32 ? sphere_count() : 0);
     visit(crowded_tiles, phantoms ? room.ids / kBlockThreads : 0);
     visit(sorted_spheres, half_shell() ? sphere_count() + kReadBehind : 0);
     visit(sorted_packed, half_shell() && is_packed(plan.test) ? sphere_count() + kReadBehind : 0);
-    visit(cell_starts, half_shell() ? starts_shape(plan).starts() : 0);
+    const std::uint32_t starts = starts_shape(plan.levels, plan.facts.sphere_count).starts();
+    const std::uint32_t grown_starts =
+        starts_shape(plan.skin.levels, plan.facts.sphere_count).starts();
+    visit(cell_starts, half_shell() ? std::max(starts, grown_starts) : 0);
     visit(doubts, room.doubts);
     visit(pairs, room.pairs);
+    visit(kept, coherent() ? 1 : 0);
+    visit(sample, coherent() ? coherence::kSampled : 0);
+    visit(copy, allowed().unchanged ? sphere_count() : 0);
+    visit(searched, keeps_searched() ? sphere_count() : 0);
+    visit(near_pairs, allowed().near_room);
+    visit(movers, allowed().movers ? 3 * std::uint64_t{mover_room} : 0);
+    visit(mover_heads, allowed().movers ? std::bit_ceil(4 * std::uint64_t{mover_room}) : 0);
   }
 };
 

@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 
 IFS=';' architectures="$*"
 unset IFS
-tests=(test_cuda_custom test_cuda_half_shell test_cuda_precision test_near_ties test_radix_sort test_backends_agree test_buffers)
+tests=(test_cuda_custom test_cuda_coherence test_cuda_half_shell test_cuda_precision test_near_ties test_radix_sort test_backends_agree test_buffers)
 FAULTS=${FAULTS:-OFF}
 name=octocell
 build="build-bundle"

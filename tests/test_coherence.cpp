@@ -5,78 +5,14 @@
 
 #include <cmath>
 
-#include "harness/driver/complete.hpp"
-#include "harness/reference/reference.hpp"
+#include "harness/planner/skin_width.hpp"
 #include "impl_cpu/backend.hpp"
-#include "impl_cpu/coherence/skin_width.hpp"
-#include "tests/frame_sequences.hpp"
+#include "tests/frame_player.hpp"
 
 namespace octocell {
 namespace {
 
-PlanOptions moving(Skips allowed = Skips::all(), int threads = 1) {
-  return {.method = Method::half_shell, .threads = threads, .allowed = allowed, .moving = true};
-}
-
-/// Plays frames as the bench does: announces each, and plans again where a plan no longer holds.
-class Player {
- public:
-  explicit Player(const PlanOptions& options) : options_(options) {}
-
-  Counts show(const std::vector<Sphere>& spheres) {
-    const SceneView scene = {spheres};
-    HostClock clock;
-    if (plan_ && plan_->facts.sphere_count == spheres.size()) {
-      finder_->update(scene);
-      finder_->find_pairs(clock);
-      times_ = clock.stop();
-      const Counts counts = finder_->counts();
-      if (!counts.plan_violation && fits(counts, plan_->capacity, plan_->count_only)) return counts;
-    }
-    ++plans_;
-    const Outcome outcome = complete(*finder_, scene, plan_scene(scene, options_), clock);
-    plan_ = outcome.plan;
-    times_ = outcome.times;
-    return outcome.counts;
-  }
-
-  /// Shows a frame and expects its exact pairs.
-  Counts check(const std::vector<Sphere>& spheres, const std::string& what) {
-    const Counts counts = show(spheres);
-    const std::vector<Pair> truth = reference::exact_pairs(spheres);
-    const reference::Comparison found = reference::compare(finder_->download(), truth);
-    EXPECT_TRUE(found.exact()) << what << ": missed " << found.missed << ", false "
-                               << found.false_pairs << ", twice " << found.duplicates;
-    EXPECT_EQ(finder_->digest(), digest_of(truth)) << what;
-    EXPECT_EQ(counts.pairs, truth.size()) << what;
-    return counts;
-  }
-
-  [[nodiscard]] const StageTimes& times() const { return times_; }
-  [[nodiscard]] const Plan& plan() const { return *plan_; }
-  [[nodiscard]] int plans() const { return plans_; }
-  PairFinder& finder() { return *finder_; }
-
- private:
-  PlanOptions options_;
-  std::unique_ptr<PairFinder> finder_ = cpu::make_backend();
-  std::optional<Plan> plan_;
-  StageTimes times_;
-  int plans_ = 0;
-};
-
-/// All allowed, each alone forbidden, each alone allowed, none.
-std::vector<Skips> choices() {
-  constexpr Skip kSkipsOfFrames[] = {Skip::unchanged, Skip::few_movers, Skip::skin};
-  Skips none = Skips::all();
-  for (const Skip skip : kSkipsOfFrames) none = none.without(skip);
-  std::vector<Skips> choices = {Skips::all(), none};
-  for (const Skip skip : kSkipsOfFrames) {
-    choices.push_back(Skips::all().without(skip));
-    choices.push_back(none.with(skip));
-  }
-  return choices;
-}
+Player on_cpu(const PlanOptions& options) { return {options, cpu::make_backend()}; }
 
 class Sequences : public testing::TestWithParam<int> {};
 
@@ -84,11 +20,11 @@ TEST_P(Sequences, HaveTheExactPairsWhateverIsAllowed) {
   int served[kSkipCount] = {};
   for (const Sequence& sequence : sequences()) {
     std::vector<Player> players;
-    for (const Skips allowed : choices()) players.emplace_back(moving(allowed, GetParam()));
+    for (const Skips allowed : choices()) players.push_back(on_cpu(moving(allowed, GetParam())));
     for (std::size_t f = 0; f < sequence.frames.size(); ++f) {
       const std::vector<Pair> truth = reference::exact_pairs(sequence.frames[f]);
       for (std::size_t c = 0; c < players.size(); ++c) {
-        const Counts counts = players[c].show(sequence.frames[f]);
+        const Counts counts = players[c].show({sequence.frames[f]});
         const std::string what =
             sequence.name + ", frame " + std::to_string(f) + ", choice " + std::to_string(c);
         ASSERT_EQ(players[c].finder().digest(), digest_of(truth)) << what;
@@ -146,9 +82,9 @@ bool ran(const StageTimes& times, Stage stage) {
 TEST(Unchanged, FramesNeedNoWork) {
   const std::vector<Sphere> spheres = generate("gas:n=4000").spheres;
   const std::vector<Sphere> copy = spheres;
-  Player player(moving());
-  EXPECT_FALSE(player.check(spheres, "first").served_by);
-  const Counts counts = player.check(copy, "second");
+  Player player = on_cpu(moving());
+  EXPECT_FALSE(player.check({spheres}, "first").served_by);
+  const Counts counts = player.check({copy}, "second");
   EXPECT_EQ(counts.served_by, Skip::unchanged);
   EXPECT_EQ(counts.candidates, 0U);
   EXPECT_EQ(counts.doubts, 0U);
@@ -182,17 +118,17 @@ TEST(Unchanged, IsNotClaimedWhereItIsForbiddenOrNothingWillMove) {
 /// What bytes show and values do not: -0 is 0. And the least that a coordinate can change.
 TEST(Unchanged, NoticesEveryBitOfEverySphere) {
   const std::vector<Sphere> start = generate("lattice:n=1000").spheres;
-  Player player(moving());
-  player.check(start, "start");
+  Player player = on_cpu(moving());
+  player.check({start}, "start");
   for (std::size_t i = 0; i < start.size(); i += 111) {
     for (int field = 0; field < 4; ++field) {
       std::vector<Sphere> spheres = start;
       float Sphere::*const member[] = {&Sphere::x, &Sphere::y, &Sphere::z, &Sphere::r};
       float& value = spheres[i].*member[field];
       value = std::nextafter(value, field == 3 ? 0.0F : -1e9F);
-      EXPECT_NE(player.check(spheres, "an ulp").served_by, Skip::unchanged);
-      EXPECT_NE(player.check(start, "back again").served_by, Skip::unchanged);
-      EXPECT_EQ(player.check(start, "still").served_by, Skip::unchanged);
+      EXPECT_NE(player.check({spheres}, "an ulp").served_by, Skip::unchanged);
+      EXPECT_NE(player.check({start}, "back again").served_by, Skip::unchanged);
+      EXPECT_EQ(player.check({start}, "still").served_by, Skip::unchanged);
     }
   }
 }
@@ -226,9 +162,9 @@ TEST(Unchanged, AFrameThatFailedIsNoGround) {
 TEST(FewMovers, CostWorkInProportionToThem) {
   for (const char* spec : {"gas:n=20000", "dense:n=20000", "poly:n=20000", "giant:n=20000"}) {
     const Frames frames = played(spec, Motion::few, 6);
-    Player player(moving());
+    Player player = on_cpu(moving());
     for (std::size_t f = 0; f < frames.size(); ++f) {
-      const Counts counts = player.check(frames[f], spec);
+      const Counts counts = player.check({frames[f]}, spec);
       if (f == 0) continue;
       EXPECT_EQ(counts.served_by, Skip::few_movers) << spec;
       EXPECT_NEAR(static_cast<double>(counts.ids), 2000.0, 200.0) << spec;
@@ -240,11 +176,11 @@ TEST(FewMovers, CostWorkInProportionToThem) {
 
 TEST(FewMovers, OneAloneIsLookedForAlone) {
   Spheres spheres = generate("gas:n=20000").spheres;
-  Player player(moving());
-  player.check(spheres, "start");
+  Player player = on_cpu(moving());
+  player.check({spheres}, "start");
   for (int step = 0; step < 5; ++step) {
     spheres[77].x *= 0.9F;
-    const Counts counts = player.check(spheres, "a step");
+    const Counts counts = player.check({spheres}, "a step");
     EXPECT_EQ(counts.served_by, Skip::few_movers);
     EXPECT_EQ(counts.ids, 1U);
     EXPECT_LE(counts.candidates, 600U);
@@ -252,12 +188,12 @@ TEST(FewMovers, OneAloneIsLookedForAlone) {
 }
 
 TEST(FewMovers, AreGivenUpWhenTheyAreMany) {
-  Player player(moving(Skips::all().without(Skip::skin)));
+  Player player = on_cpu(moving(Skips::all().without(Skip::skin)));
   Spheres spheres = generate("gas:n=6000").spheres;
   int searches = 0;
   for (std::size_t f = 0; f < 30; ++f) {  // another twentieth each time
     for (std::size_t i = f % 20; i < spheres.size(); i += 20) spheres[i].y *= 0.99F;
-    searches += player.check(spheres, "twentieth").served_by ? 0 : 1;
+    searches += player.check({spheres}, "twentieth").served_by ? 0 : 1;
   }
   EXPECT_GE(searches, 6);
   EXPECT_LE(searches, 9);
@@ -266,11 +202,11 @@ TEST(FewMovers, AreGivenUpWhenTheyAreMany) {
 TEST(Skin, TestsTheNearPairsAndNoOthers) {
   for (const char* spec : {"gas:n=20000", "poly:n=20000", "dense:n=20000"}) {
     const Frames frames = played(spec, Motion::slow, 25);
-    Player player(moving());
+    Player player = on_cpu(moving());
     std::uint64_t near = 0;
     int searches = 0;
     for (std::size_t f = 0; f < frames.size(); ++f) {
-      const Counts counts = player.check(frames[f], spec);
+      const Counts counts = player.check({frames[f]}, spec);
       if (!counts.served_by) {
         ++searches;
         near = 0;
@@ -295,10 +231,10 @@ TEST(Skin, IsLeftByASingleSphere) {
     for (std::size_t f = 0; f < frames.size(); ++f) {
       frames[f][1111].x = frames[0][1111].x + step * static_cast<float>(f);
     }
-    Player player(moving());
+    Player player = on_cpu(moving());
     int served = 0;
     for (const Spheres& spheres : frames) {
-      served += player.check(spheres, "one flies").served_by == Skip::skin ? 1 : 0;
+      served += player.check({spheres}, "one flies").served_by == Skip::skin ? 1 : 0;
     }
     if (step == 0.01F) {
       EXPECT_GT(served, 10);
@@ -310,15 +246,15 @@ TEST(Skin, IsLeftByASingleSphere) {
 }
 
 TEST(Skin, IsNotWornWhereAllAreSomewhereElse) {
-  Player player(moving());
+  Player player = on_cpu(moving());
   for (const Spheres& spheres : teleports("gas:n=3000", 1.0)) {
-    EXPECT_FALSE(player.check(spheres, "teleports").served_by);
+    EXPECT_FALSE(player.check({spheres}, "teleports").served_by);
   }
 }
 
 TEST(Skin, ThatServesNobodyIsNotTriedAgainSoon) {
-  constexpr cpu::coherence::Motion kSlow = {.still_share = 0.0F, .farthest = 0.01F};
-  cpu::coherence::SkinWidth skin;
+  constexpr FrameMotion kSlow = {.still_share = 0.0F, .farthest = 0.01F};
+  SkinWidth skin;
   skin.reset(0.2F);
   int made = 0;
   for (int frame = 0; frame < 1000; ++frame) {
@@ -334,7 +270,7 @@ TEST(Skin, ThatServesNobodyIsNotTriedAgainSoon) {
 }
 
 TEST(Skin, IsNoUseWhereMotionIsFast) {
-  cpu::coherence::SkinWidth skin;
+  SkinWidth skin;
   skin.reset(0.2F);
   EXPECT_FALSE(skin.half_skin_for({.still_share = 0.0F, .farthest = 1.0F}));
   EXPECT_TRUE(skin.half_skin_for({.still_share = 0.0F, .farthest = 0.001F}));

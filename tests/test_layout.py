@@ -19,7 +19,10 @@ MOST_LINES, MANY_LINES = 500, 350
 
 IMPLEMENTATIONS = sorted(path for path in ROOT.glob("impl_*") if path.is_dir())
 OUR_FOLDERS = {"harness", "baselines", "tests", *(path.name for path in IMPLEMENTATIONS)}
-SPINE_INCLUDES = {"harness/planner/scene_stats.hpp"}  # stage 1 is this pass, in parallel
+SPINE_INCLUDES = {
+    "harness/planner/scene_stats.hpp",  # stage 1 is this pass, in parallel
+    "harness/planner/skin_width.hpp",  # decided from frame to frame, of what a frame showed
+}
 
 
 def files(folder: Path = ROOT, suffixes: set[str] = SOURCES) -> Iterator[Path]:

@@ -156,6 +156,16 @@ std::vector<Group> gpu_groups() {
   }
   add_motion(groups, Motion::brownian, 1'000'000, 12, 3);
   groups.back().rows = Rows::headline;
+  for (const Motion motion : {Motion::still, Motion::slow}) {
+    add_motion(groups, motion, 1'000'000, 12, 3);
+    groups.back().rows = Rows::frames;
+  }
+  for (const Motion motion : {Motion::brownian, Motion::slow}) {
+    add_motion(groups, motion, 1'000'000, 12, 3);
+    groups.back().rows = Rows::frames;
+    groups.back().scene += "_static";
+    groups.back().argument += ",static=0.9";
+  }
   return groups;
 }
 

@@ -19,6 +19,7 @@ enum class Rows : std::uint8_t {
   fast,            // each backend's plan and home_phantom, and each library's fastest
   usual,           // all methods and rules, and the broad phases that are meant for many spheres
   every,           // those that look at nearly all pairs, too
+  frames,          // the plan on a GPU, and the same with every frame searched anew
   ablation,        // the plan with and without each skip, and each method that can be forced
   error,           // our plans, each library's fastest, and those that can lose pairs
 };

@@ -29,7 +29,7 @@ bool has_time_for(const Implementation& how, Rows rows) {
   };
   const bool is_default = how.planned();
   const bool on_device = how.backend->device;
-  if (rows == Rows::device_default) return on_device && is_default;
+  if (rows == Rows::device_default || rows == Rows::frames) return on_device && is_default;
   if (rows == Rows::ablation) return !how.is_baseline() && !how.exhibit();
   if (rows == Rows::device) return on_device;
   if (rows == Rows::error) {
@@ -89,6 +89,13 @@ std::vector<Implementation> candidates_for(Rows rows, std::string_view backend) 
   return all;
 }
 
+/// A planned row whose frames take nothing over from the last.
+RowSpec rebuilt(RowSpec row) {
+  row.skips = "rebuilt";
+  row.allowed = Skips::all().without(Skip::unchanged).without(Skip::few_movers).without(Skip::skin);
+  return row;
+}
+
 }  // namespace
 
 std::string row_name(const RowSpec& row, const Group& group) {
@@ -118,6 +125,11 @@ std::vector<RowSpec> rows_of(const Group& group, std::string_view backend,
       rows.push_back({how, 1, Run::warm});
       const bool exact = how.planned() && how.predicate == Predicate::exact;
       if (exact) add_without(rows, RowSpec(rows.back()), Skip::doubts);
+      continue;
+    }
+    if (group.rows == Rows::frames) {
+      rows.push_back({how, 1, Run::dynamic});
+      rows.push_back(rebuilt(rows.back()));
       continue;
     }
     for (const int threads : thread_counts(how)) {

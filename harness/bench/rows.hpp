@@ -35,7 +35,7 @@ struct RowSpec {
   Implementation how;
   int threads = 1;
   Run run = Run::cold;
-  std::string skips = {};        // a planned row's: "no_sort", "none", "first_3"; empty: all
+  std::string skips = {};        // a planned row's: "no_sort", "none", "rebuilt"; empty: all
   Skips allowed = Skips::all();  // what that means
 };
 

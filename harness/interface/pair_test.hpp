@@ -57,6 +57,11 @@ OCTOCELL_HD constexpr bool is_packed(PairTest t) {
   return t == PairTest::f16 || t == PairTest::q16 || t == PairTest::q16_exact;
 }
 
+/// The band of a test with one.
+OCTOCELL_HD constexpr Band band_of(PairTest t) {
+  return t == PairTest::band_safe ? Band::safe : Band::fast;
+}
+
 /// It finds none, so stage 6 has nothing to do.
 OCTOCELL_HD constexpr bool has_doubts(PairTest t) {
   return t <= PairTest::band_equal || t == PairTest::q16_exact;

@@ -82,7 +82,7 @@ inline constexpr float kMostSkin = 0.4F;  // growth of the mean radius: 2.7 near
 
 /// At least r + growth over the reals: the sum loses at most 2^-24 of itself, the factor adds more.
 /// Monotone in both. growth >= 2^-60.
-inline float grown_radius(float r, float growth) { return (r + growth) * kRadiusGrowth; }
+OCTOCELL_HD float grown_radius(float r, float growth) { return (r + growth) * kRadiusGrowth; }
 
 /// What Counts::plan_violation says where they no longer hold.
 inline constexpr const char* kFactsBroken =

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "harness/interface/stage.hpp"
+#include "harness/planner/skin_width.hpp"
 #include "impl_cpu/coherence/kept_copy.hpp"
 #include "impl_cpu/coherence/motion_sample.hpp"
 #include "impl_cpu/coherence/movers.hpp"
 #include "impl_cpu/coherence/near_pairs.hpp"
-#include "impl_cpu/coherence/skin_width.hpp"
 #include "impl_cpu/stages.hpp"
 
 namespace octocell::cpu::coherence {
@@ -56,7 +56,7 @@ class Coherence {
   bool is_used_ = false;
   Course course_ = Course::everything;
   MotionSample sample_;
-  std::optional<Motion> motion_;
+  std::optional<FrameMotion> motion_;
   KeptCopy kept_;
   bool changes_are_listed_ = false;
   SharedList<std::uint32_t> changed_;  // since the frame before

@@ -32,8 +32,8 @@ void MotionSample::reset(std::uint64_t sphere_count) {
   }
 }
 
-std::optional<Motion> MotionSample::observe(SceneView scene) {
-  Motion motion;
+std::optional<FrameMotion> MotionSample::observe(SceneView scene) {
+  FrameMotion motion;
   std::size_t still = 0;
   for (std::size_t k = 0; k < chosen_.size(); ++k) {
     const Sphere& now = scene.spheres[chosen_[k]];

@@ -15,13 +15,17 @@ struct IdsJob {
   std::uint32_t sphere_count;
   PlanFacts facts;
   Levels levels;
+  bool may_leave;    // where another course than a search may have been taken
+  float growth;      // of the radii, or 0
+  Sphere* searched;  // where the spheres go that are searched for; none: nobody asks
   std::uint32_t* cell_ids;
   Object* objects;
   State* state;
   digit_histograms::Job digits;
 
   [[nodiscard]] __device__ std::uint32_t id_of(const Sphere& s) const {
-    const Level& level = levels.level[level_of(levels, s.r)];
+    const float r = growth > 0.0F ? grown_radius(s.r, growth) : s.r;
+    const Level& level = levels.level[level_of(levels, r)];
     return level.first_id + cell_id(level.grid, cell_of(level.grid, s.x, s.y, s.z));
   }
 };
@@ -48,6 +52,7 @@ __device__ std::uint32_t put_ids(const IdsJob& job, std::uint32_t* counts) {
       const std::uint32_t i = first + k * stride;
       if (i >= job.sphere_count) break;
       violations |= violation_of(spheres[k], job.facts);
+      if (job.searched != nullptr) store_sphere(job.searched, i, spheres[k]);
       const std::uint32_t id = job.id_of(spheres[k]);
       job.cell_ids[i] = id;
       job.objects[i] = i;
@@ -60,6 +65,7 @@ __device__ std::uint32_t put_ids(const IdsJob& job, std::uint32_t* counts) {
 template <int kPasses>
 __global__ void __launch_bounds__(kIdsThreads, 2) ids_kernel(const __grid_constant__ IdsJob job) {
   extern __shared__ std::uint32_t counts[];
+  if (job.may_leave && job.state->course != coherence::Course::search) return;
   digit_histograms::open<kPasses>(job.digits, job.sphere_count, counts);
   const std::uint32_t violations = put_ids<kPasses>(job, counts);
   if (violations != 0) atomicOr(&job.state->violations, violations);
@@ -73,14 +79,17 @@ inline void cell_ids(Workspace& w) {
   const IdsJob job = {.spheres = w.spheres.data(),
                       .sphere_count = static_cast<std::uint32_t>(w.sphere_count()),
                       .facts = w.plan.facts,
-                      .levels = w.plan.levels,
+                      .levels = w.levels(),
+                      .may_leave = w.coherent(),
+                      .growth = w.growth,
+                      .searched = w.keeps_searched() ? w.searched.data() : nullptr,
                       .cell_ids = w.side(0).keys,
                       .objects = w.side(0).values,
                       .state = state,
-                      .digits = w.sorter->histograms(&state->ids, w.sort_scratch.data())};
+                      .digits = w.sorter_now().histograms(&state->ids, w.sort_scratch.data())};
   constexpr void (*kByPasses[])(IdsJob) = {ids_kernel<1>, ids_kernel<2>, ids_kernel<3>,
                                            ids_kernel<4>};
-  const int passes = w.sorter->passes();
+  const int passes = w.sorter_now().passes();
   const std::uint32_t blocks = std::min(parts_of(job.sphere_count, kIdsThreads), kIdsBlocks);
   const std::size_t shared = digit_histograms::shared_bytes(job.digits, passes);
   kByPasses[passes - 1]<<<blocks, kIdsThreads, shared, w.stream>>>(job);

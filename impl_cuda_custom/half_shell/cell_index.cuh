@@ -81,10 +81,12 @@ struct OrderJob {
   PackedSphere* packed;  // of packed tests
   PairTest test;
   Packing packing;
+  float growth;
   State* state;
 
   __device__ void put(std::uint32_t place, Sphere s) const {
     if (is_packed(test)) packed[place] = pack(test, s, packing);
+    if (growth > 0.0F) s.r = grown_radius(s.r, growth);
     s.r = stored_radius(test, s.r);
     reinterpret_cast<float4*>(ordered)[place] = {s.x, s.y, s.z, s.r};
   }
@@ -121,7 +123,7 @@ __global__ void __launch_bounds__(kBlockThreads)
 
 inline void cell_index(Workspace& w) {
   if (!w.half_shell()) return;
-  const std::uint32_t starts = starts_shape(w.plan).starts();
+  const std::uint32_t starts = starts_shape(w.levels(), w.plan.facts.sphere_count).starts();
   starts_kernel<<<parts_of(starts, kStartsPerBlock), kBlockThreads, 0, w.stream>>>(
       starts_of(w), starts, w.state.data());
   cuda::check_launch();
@@ -130,8 +132,9 @@ inline void cell_index(Workspace& w) {
                           .spheres = w.spheres.data(),
                           .ordered = w.sorted_spheres.data(),
                           .packed = w.sorted_packed.data(),
-                          .test = w.plan.test,
+                          .test = w.test(),
                           .packing = w.plan.packing,
+                          .growth = w.growth,
                           .state = w.state.data()};
     const unsigned blocks = blocks_for(w.sphere_count() + kReadBehind, kOrderedPerBlock);
     order_kernel<<<blocks, kBlockThreads, 0, w.stream>>>(job);

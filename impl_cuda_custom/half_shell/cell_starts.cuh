@@ -38,7 +38,7 @@ struct CellStarts {
 inline CellStarts starts_of(Workspace& w) {
   return {.cell_ids = w.sorted().keys,
           .starts = w.cell_starts.data(),
-          .shift = starts_shape(w.plan).shift};
+          .shift = starts_shape(w.levels(), w.plan.facts.sphere_count).shift};
 }
 
 }  // namespace octocell::cuda_custom::half_shell

@@ -210,14 +210,14 @@ struct OpenLevel {
 };
 
 inline Shells shells_of(Workspace& w, const CellStarts& starts) {
-  Shells shells = {.levels = w.plan.levels,
+  Shells shells = {.levels = w.levels(),
                    .open = {},
                    .rows_wrap = false,
                    .starts = starts,
                    .spheres = w.sorted_spheres.data(),
                    .objects = w.sorted().values};
-  for (int k = 0; k < w.plan.levels.count; ++k) {
-    const Level& level = w.plan.levels.level[k];
+  for (int k = 0; k < w.levels().count; ++k) {
+    const Level& level = w.levels().level[k];
     shells.open[k] = is_open(level);
     shells.rows_wrap = shells.rows_wrap || level.grid.wrap_mask[0] != ~0U;
   }
@@ -225,7 +225,7 @@ inline Shells shells_of(Workspace& w, const CellStarts& starts) {
 }
 
 inline OpenLevel open_level_of(Workspace& w, const CellStarts& starts) {
-  const Level& level = w.plan.levels.level[0];
+  const Level& level = w.levels().level[0];
   return {.ids = level.ids,
           .reach = OCTOCELL_FAULT(cuda_reach_short, level.reach - 1, level.reach),
           .row = level.grid.stride_y,
@@ -239,7 +239,7 @@ inline OpenLevel open_level_of(Workspace& w, const CellStarts& starts) {
 template <typename WithNeighbours>
 void with_neighbours(Workspace& w, WithNeighbours run) {
   const CellStarts starts = starts_of(w);
-  const bool one_open_level = w.plan.levels.count == 1 && is_open(w.plan.levels.level[0]);
+  const bool one_open_level = w.levels().count == 1 && is_open(w.levels().level[0]);
   if (one_open_level) return run(open_level_of(w, starts));
   run(shells_of(w, starts));
 }

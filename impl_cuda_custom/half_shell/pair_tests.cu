@@ -5,6 +5,7 @@
 #include "impl_cuda_custom/half_shell/pair_tests.cuh"
 
 #include "harness/interface/faults.hpp"
+#include "impl_cuda_custom/coherence/near_pairs.cuh"
 #include "impl_cuda_custom/half_shell/neighbours.cuh"
 #include "impl_cuda_custom/pair_sinks.cuh"
 #include "impl_cuda_custom/pair_test.cuh"
@@ -143,7 +144,7 @@ __global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce)
 }
 
 template <typename Sink, typename Test, typename Stored>
-void test_runs(Workspace& w, const Test& test, const Stored* stored) {
+void test_runs(Workspace& w, const Test& test, const Stored* stored, const SinkArguments& sink) {
   const std::uint64_t count = w.sphere_count();
   const unsigned blocks =
       OCTOCELL_FAULT(cuda_blocks_missing, blocks_for(count / 2), blocks_for(count));
@@ -152,7 +153,7 @@ void test_runs(Workspace& w, const Test& test, const Stored* stored) {
                          .test = test,
                          .stored = stored,
                          .candidate_limit = w.plan.candidate_limit,
-                         .sink = sink_arguments_of(w)};
+                         .sink = sink};
     half_shell_kernel<Sink><<<blocks, kBlockThreads, 0, w.stream>>>(job);
     cuda::check_launch();
   });
@@ -170,15 +171,22 @@ void pair_tests(Workspace& w) {
   if (!w.half_shell()) return;
   const Packing& packing = w.plan.packing;
   const Sphere* const spheres = w.sorted_spheres.data();
+  SinkArguments sink = sink_arguments_of(w);
   if (w.plan.count_only) {
-    return test_runs<Count>(w, AnyTest{w.plan.test, packing}, spheres);
+    return test_runs<Count>(w, AnyTest{w.plan.test, packing}, spheres, sink);
+  }
+  if (w.grows()) {
+    sink.near_pairs = coherence::near_list(w);
+    sink.band = band_of(w.plan.test);
+    const FixedTest<PairTest::band_safe> of_grown = {};
+    return test_runs<coherence::KeepNear>(w, of_grown, spheres, sink);
   }
   with_pair_test(w.plan.test, [&]<PairTest test>() {
     const FixedTest<test> fixed = {packing, equal_reach2(w)};
     if constexpr (is_packed(test)) {
-      test_runs<Keep>(w, fixed, w.sorted_packed.data());
+      test_runs<Keep>(w, fixed, w.sorted_packed.data(), sink);
     } else {
-      test_runs<Keep>(w, fixed, spheres);
+      test_runs<Keep>(w, fixed, spheres, sink);
     }
   });
 }

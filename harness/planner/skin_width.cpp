@@ -1,41 +1,37 @@
 // SPDX-License-Identifier: MIT
-#include "impl_cpu/coherence/skin_width.hpp"
+#include "harness/planner/skin_width.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "harness/interface/plan.hpp"
 
-namespace octocell::cpu::coherence {
+namespace octocell {
 namespace {
 
-// Of the time of a search (docs/decisions/0016-frame-coherence.md).
-constexpr float kListCost = 1.5F;       // the search of grown spheres, and the list
-constexpr float kFetchCost = 0.2F;      // each frame: every sphere fetched and compared
-constexpr float kNearPairCost = 0.08F;  // each frame: the near pairs of ungrown spheres
-constexpr float kWorthwhile = 0.9F;
-
-constexpr int kWidths = 8;      // tried, up to the widest
-constexpr int kFewFrames = 2;   // a list that served fewer was a mistake
-constexpr int kFirstPause = 4;  // in frames; twice as many after each further mistake
+constexpr float kWorthwhile = 0.9F;  // of the time of a search
+constexpr int kWidths = 8;           // tried, up to the widest
+constexpr int kFewFrames = 2;        // a list that served fewer was a mistake
+constexpr int kFirstPause = 4;       // in frames; twice as many after each further mistake
 constexpr int kLongestPause = 1024;
 
 }  // namespace
 
-void SkinWidth::reset(float most) {
+void SkinWidth::reset(float most, const SkinCosts& costs) {
   *this = {};
+  costs_ = costs;
   most_ = most;
   next_pause_ = kFirstPause;
 }
 
 /// `growth` of the mean radius; near pairs are as its cube, as in a gas.
-float SkinWidth::cost_a_frame(float growth, float frames) {
+float SkinWidth::cost_a_frame(float growth, float frames) const {
   const float wider = 1.0F + growth;
-  const float served = kFetchCost + kNearPairCost * wider * wider * wider;
-  return (kListCost + (frames - 1.0F) * served) / frames;
+  const float served = costs_.fetch + costs_.near_pairs * wider * wider * wider;
+  return (costs_.list + (frames - 1.0F) * served) / frames;
 }
 
-std::optional<float> SkinWidth::half_skin_for(const Motion& motion) {
+std::optional<float> SkinWidth::half_skin_for(const FrameMotion& motion) {
   if (pause_ > 0) {
     --pause_;
     return std::nullopt;
@@ -54,7 +50,7 @@ std::optional<float> SkinWidth::half_skin_for(const Motion& motion) {
   return best;
 }
 
-void SkinWidth::made(float half_skin, const Motion& motion) {
+void SkinWidth::made(float half_skin, const FrameMotion& motion) {
   half_skin_ = half_skin;
   step_then_ = motion.farthest;
   frames_served_ = 0;
@@ -73,4 +69,4 @@ void SkinWidth::left() {
   next_pause_ = std::min(2 * next_pause_, kLongestPause);
 }
 
-}  // namespace octocell::cpu::coherence
+}  // namespace octocell

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "impl_cuda_custom/coherence/coherence.cuh"
+
+#include <algorithm>
+
+#include "harness/interface/flags.hpp"
+#include "impl_cuda_custom/half_shell/neighbours.cuh"
+
+namespace octocell::cuda_custom::coherence {
+namespace {
+
+/// On an H100, a gas of a million spheres.
+constexpr SkinCosts kSkinCosts = {.list = 1.8F, .fetch = 0.3F, .near_pairs = 0.06F};
+
+/// Movers pay where at most one in so many is not static.
+constexpr std::uint64_t kOneIn = 3;
+
+Kept read(const Workspace& w) {
+  Kept kept;
+  cuda::check(cudaMemcpyAsync(&kept, w.kept.data(), sizeof kept, cudaMemcpyDeviceToHost, w.stream));
+  cuda::check(cudaStreamSynchronize(w.stream));
+  return kept;
+}
+
+}  // namespace
+
+void Coherence::reset(Workspace& w) {
+  skin_.reset(w.plan.skin.growth, kSkinCosts);
+  forget(w);
+}
+
+void Coherence::forget(Workspace& w) {
+  w.growth = 0.0F;
+  frames_ = 0;
+  has_list_ = false;
+  if (w.kept.data() == nullptr) return;
+  cuda::check(cudaMemsetAsync(w.kept.data(), 0, sizeof(Kept), w.stream));
+  if (w.mover_heads.data() == nullptr) return;
+  const std::uint64_t bytes = w.mover_heads.capacity() * sizeof(std::uint64_t);
+  cuda::check(cudaMemsetAsync(w.mover_heads.data(), 0, bytes, w.stream));
+}
+
+bool Coherence::flags_differ(Workspace& w) {
+  const SceneView& scene = w.scene;
+  if (spheres_ == scene.spheres.size() && std::ranges::equal(flags_, scene.flags)) return false;
+  spheres_ = scene.spheres.size();
+  flags_.assign(scene.flags.begin(), scene.flags.end());
+  not_static_ = static_cast<std::uint32_t>(
+      std::ranges::count_if(flags_, [](Flags f) { return !is_static(f); }));
+  return true;
+}
+
+void Coherence::choose_movers(Workspace& w) const {
+  const Levels& levels = w.plan.levels;
+  const bool pays = w.plan.allowed.has(Skip::few_movers) && levels.count == 1 &&
+                    half_shell::is_open(levels.level[0]) && not_static_ <= flags_.size() / kOneIn;
+  w.mover_room = pays ? not_static_ : 0;
+}
+
+bool Coherence::looked_at_too_many(Workspace& w, const State& state) {
+  const bool too_many = state.course == Course::search && state.candidates > w.plan.candidate_limit;
+  if (!too_many || !w.coherent() || read(w).list_made == 0) return false;
+  skin_.made(w.plan.skin.growth, motion_);  // and has served nobody
+  skin_.left();
+  forget(w);
+  return true;
+}
+
+void Coherence::learn(Workspace& w, const State& state) {
+  if (!w.coherent()) return;
+  const Kept kept = read(w);
+  if (kept.frames == frames_) return;  // asked twice
+  frames_ = kept.frames;
+  note_course(w, state, kept);
+  if (kept.frames < 2 || !w.allowed().near_pairs) return;
+  motion_ = {.still_share = static_cast<float>(kept.still) / kSampled, .farthest = kept.farthest};
+  w.growth = skin_.half_skin_for(motion_).value_or(0.0F);
+}
+
+/// `motion_` is still what the growth was chosen by.
+void Coherence::note_course(const Workspace& w, const State& state, const Kept& kept) {
+  if (state.course == Course::near_pairs) skin_.served();
+  if (state.course != Course::search) return;
+  if (has_list_) skin_.left();
+  has_list_ =
+      kept.list_made != 0 && kept.near_pairs <= w.allowed().near_room && state.violations == 0;
+  if (kept.list_made == 0) return;
+  skin_.made(kept.growth, motion_);
+  if (!has_list_) skin_.left();
+}
+
+}  // namespace octocell::cuda_custom::coherence

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// What frames of a moving scene do besides the stages (rules.hpp says when). Each of these queues
+// one kernel.
+#pragma once
+
+#include "impl_cuda_custom/stages.cuh"
+
+namespace octocell::cuda_custom::coherence {
+
+/// Stage 1 of a frame that may take over something: decides its course, and opens State for it.
+void open_frame(Workspace& w);
+
+/// Stage 5 of frames that are not searched: the near pairs, tested again; or movers against all. Of
+/// a search the second lists the movers.
+void test_near_pairs(Workspace& w);
+void test_movers(Workspace& w);
+
+}  // namespace octocell::cuda_custom::coherence

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// The first kernel of a frame: what may be taken over from the last? Every sphere is held against
+// the copy, or against where it was in the last search, as long as that may still prove something;
+// the block that ends last decides. With nothing to prove no sphere is read.
+#include "harness/interface/flags.hpp"
+#include "harness/interface/pair.hpp"
+#include "impl_cuda_custom/coherence/frames.cuh"
+#include "impl_cuda_custom/coherence/movers.cuh"
+#include "impl_cuda_custom/device.cuh"
+#include "impl_cuda_custom/radix_sort/digit_histograms.cuh"
+#include "impl_cuda_custom/sphere_facts.cuh"
+
+namespace octocell::cuda_custom::coherence {
+namespace {
+
+constexpr int kAtOnce = 2;  // spheres of a thread under way
+constexpr std::uint32_t kPerBlock = kBlockThreads * kAtOnce;
+/// Fills the chip, and leaves each block a few steps: what it sees in one may save it the next.
+constexpr std::uint32_t kMostBlocks = 396;
+constexpr int kBlocksAtOnce = 3;
+static_assert(kSampled == kBlockThreads, "a thread for each sphere of the sample");
+
+struct Job {
+  const Sphere* spheres;
+  std::uint32_t count;
+  Sphere* copy;
+  const Sphere* searched;
+  Sphere* sample;
+  const Flags* flags;
+  Movers movers;
+  PlanFacts facts;
+  Allowed allowed;
+  Capacities room;
+  std::uint64_t candidate_limit;
+  float growth;             // of this frame's search
+  State search;             // what a search opens with
+  std::uint32_t* counters;  // of its sort, to be cleared
+  std::uint32_t counter_count;
+  State* state;
+  Kept* kept;
+
+  /// What the last frame found is all there is.
+  [[nodiscard]] __device__ bool is_complete(const State& last) const {
+    return last.violations == 0 && last.candidates <= candidate_limit && last.pairs <= room.pairs &&
+           last.doubts <= room.doubts;
+  }
+};
+
+__device__ std::uint32_t or_over_warp(std::uint32_t bits) {
+#if __CUDA_ARCH__ >= 800
+  return __reduce_or_sync(kAllLanes, bits);
+#else
+  for (int distance = kWarpThreads / 2; distance > 0; distance /= 2) {
+    bits |= __shfl_xor_sync(kAllLanes, bits, distance);
+  }
+  return bits;
+#endif
+}
+
+/// Out of line, as overlap() is.
+__device__ __noinline__ bool is_within_exactly(const Sphere& then, const Sphere& now,
+                                               float growth) {
+  const Step step = step_of(then, now, growth);
+  return overlap_exact(step.ball, step.point);
+}
+
+/// Not where it is outside the plan's facts: then a search says so.
+__device__ bool is_within_skin(const Job& job, const Sphere& then, const Sphere& now,
+                               float growth) {
+  if (violation_of(now, job.facts) != 0) return false;
+  const Verdict verdict = within_skin(then, now, growth);
+  if (verdict != Verdict::doubt) return verdict == Verdict::overlap;
+  return is_within_exactly(then, now, growth);
+}
+
+/// One of the first block's threads, one sphere of the sample. Their number of those that stand
+/// still, and the longest way of all.
+__device__ void observe_sample(const Job& job) {
+  const auto k = threadIdx.x;
+  const auto chosen = static_cast<std::uint32_t>(mix_pair({0, k}) % job.count);
+  const Sphere now = load_sphere(job.spheres, chosen);
+  const Sphere before = job.sample[k];
+  store_sphere(job.sample, k, now);
+  const float dx = now.x - before.x;
+  const float dy = now.y - before.y;
+  const float dz = now.z - before.z;
+  float way = sqrtf(dx * dx + dy * dy + dz * dz);
+  if (bits_of(now.r) != bits_of(before.r) || !(way <= kFloatMax)) way = INFINITY;
+  const std::uint32_t farthest = max_over_warp(bits_of(way));  // in order: none is negative
+  if (lane() == 0) atomicMax(&job.kept->farthest_now, farthest);
+  const int still = __syncthreads_count(same_bits(now, before));
+  if (k == 0) job.kept->still_now = static_cast<std::uint32_t>(still);
+}
+
+/// `before`: of the copy, where that is compared with, else of the last search. A sphere that
+/// equals the copy is within all that held for the last frame: if that was not a search itself, it
+/// was held against the same search.
+__device__ std::uint32_t look_at(const Job& job, const Trial& trial, bool compares, float growth,
+                                 std::uint32_t i, const Sphere& now, const Sphere& before) {
+  if (trial.keep) store_sphere(job.copy, i, now);
+  if (compares && same_bits(now, before)) return 0;
+  if (!trial.skin && !trial.movers) return kDiffers;
+  const Sphere then = compares ? load_sphere(job.searched, i) : before;
+  std::uint32_t found = kDiffers;
+  if (trial.skin && !is_within_skin(job, then, now, growth)) found |= kLeft;
+  if (trial.movers && !same_bits(now, then) && is_static(job.flags[i])) found |= kNotMovers;
+  return found;
+}
+
+/// Returns what was found; the same for all lanes of a warp. A warp that has seen enough to rule
+/// out all that is tried looks no further.
+__device__ std::uint32_t look_at_spheres(const Job& job, const Trial& trial, float growth) {
+  std::uint32_t found = 0;
+  for (std::uint32_t begin = blockIdx.x * kPerBlock; begin < job.count;
+       begin += gridDim.x * kPerBlock) {
+    const bool compares = trial.compare && (found & kDiffers) == 0;
+    const bool proves = compares || (trial.skin && (found & kLeft) == 0) ||
+                        (trial.movers && (found & kNotMovers) == 0);
+    if (!proves && !trial.keep) break;
+    const bool searched = trial.skin || trial.movers;
+    const Sphere* const others = compares ? job.copy : searched ? job.searched : job.spheres;
+    Sphere now[kAtOnce];
+    Sphere before[kAtOnce];
+#pragma unroll
+    for (int k = 0; k < kAtOnce; ++k) {
+      const std::uint32_t i = min(begin + k * kBlockThreads + threadIdx.x, job.count - 1);
+      now[k] = load_sphere(job.spheres, i);
+      before[k] = load_sphere(others, i);
+    }
+    std::uint32_t here = 0;
+#pragma unroll
+    for (int k = 0; k < kAtOnce; ++k) {
+      const std::uint32_t i = begin + k * kBlockThreads + threadIdx.x;
+      if (i < job.count) here |= look_at(job, trial, compares, growth, i, now[k], before[k]);
+    }
+    found |= or_over_warp(here);
+  }
+  return found;
+}
+
+/// Movers are put where test_movers() looks for them, and held against the plan's facts, as a
+/// search would.
+__device__ std::uint32_t place_movers(const Job& job) {
+  const std::uint32_t count = job.kept->mover_count;
+  const std::uint64_t frame = job.kept->frames;
+  std::uint32_t found = 0;
+  for (std::uint32_t m = blockIdx.x * kBlockThreads + threadIdx.x; m < count;
+       m += gridDim.x * kBlockThreads) {
+    const Sphere now = load_sphere(job.spheres, job.movers.ids[m]);
+    if (violation_of(now, job.facts) != 0) {
+      found = kNotMovers;
+    } else {
+      job.movers.place(m, now, frame);
+    }
+  }
+  return found;
+}
+
+__device__ State opened(const Job& job, const State& last, const Kept& kept, Course course) {
+  if (course == Course::search) return job.search;
+  State state;
+  state.course = course;
+  if (course == Course::unchanged) state.pairs = last.pairs;
+  if (course == Course::near_pairs) state.candidates = kept.near_pairs;
+  return state;
+}
+
+/// The last block's: nobody else looks at State or at Kept any more.
+__device__ void decide(const Job& job, const Trial& trial) {
+  Kept kept = *job.kept;
+  kept.still_now = __ldcg(&job.kept->still_now);
+  kept.farthest_now = __ldcg(&job.kept->farthest_now);
+  const Course course = course_of(trial, __ldcg(&job.kept->found));
+  *job.state = opened(job, *job.state, kept, course);
+  *job.kept = after(kept, trial, course, job.allowed, job.growth);
+}
+
+__global__ void __launch_bounds__(kBlockThreads, kBlocksAtOnce)
+    open_frame_kernel(const __grid_constant__ Job job) {
+  const std::uint32_t threads = gridDim.x * kBlockThreads;
+  for (std::uint32_t k = blockIdx.x * kBlockThreads + threadIdx.x; k < job.counter_count;
+       k += threads) {
+    job.counters[k] = 0;
+  }
+  const Trial trial = trial_of(*job.kept, job.is_complete(*job.state), job.allowed);
+  if (blockIdx.x == 0) observe_sample(job);
+  std::uint32_t found = look_at_spheres(job, trial, job.kept->growth);
+  if (trial.movers) found = or_over_warp(found | place_movers(job));
+  if (found != 0 && lane() == 0) atomicOr(&job.kept->found, found);
+  const bool is_last = digit_histograms::is_last_block(&job.kept->blocks_done);
+  if (is_last && threadIdx.x == 0) decide(job, trial);
+}
+
+State search_of(const Workspace& w) {
+  State state;
+  state.ids = w.sphere_count();
+  return state;
+}
+
+}  // namespace
+
+void open_frame(Workspace& w) {
+  const auto count = static_cast<std::uint32_t>(w.sphere_count());
+  const Job job = {.spheres = w.spheres.data(),
+                   .count = count,
+                   .copy = w.copy.data(),
+                   .searched = w.searched.data(),
+                   .sample = w.sample.data(),
+                   .flags = w.flags.data(),
+                   .movers = movers_of(w),
+                   .facts = w.plan.facts,
+                   .allowed = w.allowed(),
+                   .room = w.plan.capacity,
+                   .candidate_limit = w.plan.candidate_limit,
+                   .growth = w.growth,
+                   .search = search_of(w),
+                   .counters = reinterpret_cast<std::uint32_t*>(w.sort_scratch.data()),
+                   .counter_count = static_cast<std::uint32_t>(w.sorter_now().zeroed_words()),
+                   .state = w.state.data(),
+                   .kept = w.kept.data()};
+  open_frame_kernel<<<std::min(parts_of(count, kPerBlock), kMostBlocks), kBlockThreads, 0,
+                      w.stream>>>(job);
+  cuda::check_launch();
+}
+
+}  // namespace octocell::cuda_custom::coherence

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// What a frame leaves on the device for the next, and what the next may take over from it. Decided
+// there, by one thread, in functions that the host's tests can call.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+#include "harness/interface/predicate.hpp"
+
+namespace octocell::cuda_custom::coherence {
+
+/// What a frame does. Kernels of other courses leave as soon as they see it.
+enum class Course : std::uint32_t {
+  search,      // everything
+  unchanged,   // no sphere has changed: the pairs stand
+  near_pairs,  // no sphere has left the skin: pairs are among the near ones
+  movers,      // no static sphere has changed: pairs have a sphere that is not static
+};
+
+/// What is known of the frames before. All zero: nothing.
+struct Kept {
+  std::uint64_t frames;       // since then
+  std::uint32_t copy_holds;   // the copy equals the spheres of the last frame
+  std::uint32_t list_made;    // near pairs were listed in the last search, with
+  float growth;               // as much added to each radius
+  std::uint64_t near_pairs;   // listed; counts on past the end
+  std::uint32_t order_made;   // the last search left its order, and a list of
+  std::uint32_t mover_count;  // spheres that are not static
+  std::uint32_t still;        // how many of the sample had not changed in the last frame
+  float farthest;             // that one of the sample had moved
+  // In a frame, until its first kernel ends:
+  std::uint32_t found;         // bits, see below
+  std::uint32_t blocks_done;   // of that kernel
+  std::uint32_t still_now;     // of the sample
+  std::uint32_t farthest_now;  // the bits of a float
+};
+
+/// What has been seen of the spheres.
+inline constexpr std::uint32_t kDiffers = 1;    // from the copy
+inline constexpr std::uint32_t kLeft = 2;       // the skin, or the plan's facts
+inline constexpr std::uint32_t kNotMovers = 4;  // a static one moved, or a mover left the facts
+
+/// Spheres whose steps say how all move: a guess, on which time depends and nothing else.
+inline constexpr std::uint32_t kSampled = 256;
+
+/// What may be taken over, and the room for it.
+struct Allowed {
+  bool unchanged;
+  bool near_pairs;
+  bool movers;
+  std::uint64_t near_room;
+  [[nodiscard]] OCTOCELL_HD bool any() const { return unchanged || near_pairs || movers; }
+};
+
+/// What a frame tries, before it has seen a sphere.
+struct Trial {
+  bool compare;  // with the copy
+  bool skin;     // with where spheres were when the near pairs were listed
+  bool movers;   // the static ones with where they were when they were put in order
+  bool keep;     // a copy is made, for the next frame
+};
+
+/// `complete`: the last frame found all pairs, and had room for them. If not, nothing it left is
+/// relied on. A copy is made where it may be of use in the next frame: the first time, and once
+/// nothing in the sample moves.
+OCTOCELL_HD Trial trial_of(const Kept& kept, bool complete, const Allowed& allowed) {
+  const bool still = kept.frames == 0 || kept.still == kSampled;
+  Trial trial = {};
+  trial.compare = complete && allowed.unchanged && kept.copy_holds != 0;
+  trial.skin =
+      complete && allowed.near_pairs && kept.list_made != 0 && kept.near_pairs <= allowed.near_room;
+  trial.movers = complete && allowed.movers && kept.order_made != 0;
+  trial.keep = allowed.unchanged && !trial.compare && still;
+  return trial;
+}
+
+OCTOCELL_HD Course course_of(const Trial& trial, std::uint32_t found) {
+  if (trial.compare && (found & kDiffers) == 0) return Course::unchanged;
+  if (trial.movers && (found & kNotMovers) == 0) return Course::movers;
+  if (trial.skin && (found & kLeft) == 0) return Course::near_pairs;
+  return Course::search;
+}
+
+/// What is known once the frame has taken its course. `growth`: that of its search, if it has one.
+/// What stood before the last search stands until the next.
+OCTOCELL_HD Kept after(Kept kept, const Trial& trial, Course course, const Allowed& allowed,
+                       float growth) {
+  ++kept.frames;
+  kept.copy_holds = course == Course::unchanged || trial.keep ? 1 : 0;
+  if (course == Course::search) {
+    kept.list_made = allowed.near_pairs && growth > 0.0F ? 1 : 0;
+    kept.growth = growth;
+    kept.near_pairs = 0;
+    kept.order_made = allowed.movers ? 1 : 0;
+    kept.mover_count = 0;
+  }
+  kept.still = kept.frames == 1 ? 0 : kept.still_now;
+  memcpy(&kept.farthest, &kept.farthest_now, sizeof kept.farthest);
+  kept.found = kept.blocks_done = kept.still_now = kept.farthest_now = 0;
+  return kept;
+}
+
+OCTOCELL_HD std::uint32_t bits_of(float value) {
+  std::uint32_t bits;
+  memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+/// Bit for bit: -0 is not 0, and a NaN is itself.
+OCTOCELL_HD bool same_bits(const Sphere& a, const Sphere& b) {
+  return ((bits_of(a.x) ^ bits_of(b.x)) | (bits_of(a.y) ^ bits_of(b.y)) |
+          (bits_of(a.z) ^ bits_of(b.z)) | (bits_of(a.r) ^ bits_of(b.r))) == 0;
+}
+
+/// The ball of the growth around where a sphere was, and the point where it is now: as long as they
+/// overlap, and the radius is the same, the sphere has not left its skin (docs/exactness.md). Both
+/// finite.
+struct Step {
+  Sphere ball;
+  Sphere point;
+};
+OCTOCELL_HD Step step_of(const Sphere& then, const Sphere& now, float growth) {
+  return {{then.x, then.y, then.z, growth}, {now.x, now.y, now.z, 0.0F}};
+}
+
+/// In float32. Doubt: only the exact predicate knows.
+OCTOCELL_HD Verdict within_skin(const Sphere& then, const Sphere& now, float growth) {
+  if (bits_of(then.r) != bits_of(now.r)) return Verdict::apart;
+  Step step = step_of(then, now, growth);
+  step.ball.r = band_radius<Band::safe>(step.ball.r);
+  step.point.r = band_radius<Band::safe>(step.point.r);
+  if (!band_may_overlap(step.ball, step.point)) return Verdict::apart;
+  return band_is_sure<Band::safe>(step.ball, step.point) ? Verdict::overlap : Verdict::doubt;
+}
+
+}  // namespace octocell::cuda_custom::coherence
