@@ -8,10 +8,14 @@ import math
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from octocell_report import __version__
 from octocell_report.fields import ReportError
 from octocell_report.load import Result, load
+
+if TYPE_CHECKING:
+    from octocell_report.error import Study
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -39,6 +43,14 @@ def _parser() -> argparse.ArgumentParser:
         type=Path,
         metavar="ABLATION.json",
         help="result of the preset ablation (default: FOLDER/ablation.json, if it is there)",
+    )
+    build.add_argument(
+        "--error",
+        type=Path,
+        nargs="+",
+        default=[],
+        metavar="ERROR.json",
+        help="results with several predicates (default: FOLDER/error*.json, if there are any)",
     )
     build.set_defaults(command=_build)
 
@@ -76,6 +88,11 @@ def _parser() -> argparse.ArgumentParser:
         "-o", "--output", type=Path, default=Path("reports/out"), metavar="FOLDER"
     )
     ablation.set_defaults(command=_ablation)
+
+    error = commands.add_parser("error", help="plots and tables of run time against error")
+    error.add_argument("results", type=Path, nargs="+", metavar="ERROR.json")
+    error.add_argument("-o", "--output", type=Path, default=Path("reports/out"), metavar="FOLDER")
+    error.set_defaults(command=_error)
     return parser
 
 
@@ -94,7 +111,7 @@ def _build(options: argparse.Namespace) -> int:
 
     result = load(options.result)
     ablation = _ablation_of(options) or (result if result.variants else None)
-    names = page.build(result, options.output, ablation)
+    names = page.build(result, options.output, ablation, _error_of(options, result))
     print(
         f"{options.output / 'index.html'}: written, with {len(names) - 1} plots and tables beside"
     )
@@ -105,6 +122,28 @@ def _ablation_of(options: argparse.Namespace) -> Result | None:
     """The one that was named, or else lies in the folder; None without."""
     path: Path = options.ablation or options.output / "ablation.json"
     return _loaded_ablation(path) if options.ablation or path.is_file() else None
+
+
+def _error_of(options: argparse.Namespace, result: Result) -> Study | None:
+    """Those that were named, or else lie in the folder, or else the result if it is one."""
+    from octocell_report.error import Study
+
+    paths: list[Path] = options.error or sorted(options.output.glob("error*.json"))
+    if paths:
+        return _loaded_error(paths)
+    study = Study([result])
+    return study if study.compares else None
+
+
+def _loaded_error(paths: list[Path]) -> Study:
+    from octocell_report.error import Study, require
+
+    study = Study(load(path) for path in paths)
+    try:
+        require(study)
+    except ReportError as error:
+        raise ReportError(f"{', '.join(map(str, paths))}: {error}") from error
+    return study
 
 
 def _loaded_ablation(path: Path) -> Result:
@@ -164,5 +203,16 @@ def _ablation(options: argparse.Namespace) -> int:
     verdict = check.judge(result)
     for row in [*verdict.wrong, *verdict.wrong_variants]:
         print(check.complaint(row))
+    print(f"{options.output}: written: {', '.join(names)}")
+    return 0
+
+
+def _error(options: argparse.Namespace) -> int:
+    from octocell_report import error_files, findings_error  # as for _build
+
+    study = _loaded_error(options.results)
+    names = error_files.build(study, options.output)
+    for line in findings_error.sentences(study, "error_map"):
+        print(line)
     print(f"{options.output}: written: {', '.join(names)}")
     return 0
