@@ -215,11 +215,9 @@ class Study:
 
 
 def require(study: Study) -> None:
-    """Throws ReportError for results without an experiment to show."""
-    if not study.compares:
-        raise ReportError(
-            "no warm row has a predicate other than exact, on a scene with a scene_class"
-        )
+    """Throws ReportError for results without a row to show."""
+    if not study.points:
+        raise ReportError("no warm row that ran is on a scene with a scene_class")
 
 
 def _points(result: Result) -> list[Point]:

@@ -13,6 +13,8 @@ from typing import Any
 import synthetic
 from synthetic import Json
 
+TENTHS, FAR = "lattice(spacing=0.1)", "shifted(offset=1e7)"
+
 # scene: class, true pairs per million spheres, how much dearer than gas
 SCENES: dict[str, tuple[str, int, float]] = {
     "gas": ("random", 398_123, 1.0),
@@ -20,8 +22,8 @@ SCENES: dict[str, tuple[str, int, float]] = {
     "dense": ("random", 1_650_313, 1.7),
     "fcc": ("structured", 5_850_400, 2.3),
     "lattice": ("structured", 2_970_000, 1.3),
-    "lattice(spacing=0.1)": ("structured", 2_970_000, 1.3),
-    "shifted(offset=1e7)": ("extreme", 398_120, 1.05),
+    TENTHS: ("structured", 2_970_000, 1.3),
+    FAR: ("extreme", 398_120, 1.05),
     "subnormal": ("extreme", 398_123, 1.2),
     "huge": ("extreme", 401_877, 1.1),
 }
@@ -32,16 +34,16 @@ PREDICATES: dict[str, tuple[float, dict[str, tuple[int, int]]]] = {
     "exact": (1.0, {}),
     "q16_exact": (0.94, {}),
     "f64": (1.31, {"huge": (0, 3)}),
-    "f32": (0.97, {"fcc": (0, 1014), "lattice(spacing=0.1)": (2105, 940), "subnormal": (0, 5_100_000),
+    "f32": (0.97, {"fcc": (0, 1014), TENTHS: (2105, 940), "subnormal": (0, 5_100_000),
                    "huge": (212_000, 0)}),
-    "f32_sqrt": (1.06, {"fcc": (0, 24_835), "lattice(spacing=0.1)": (2870, 1360), "subnormal": (0, 5_100_000),
+    "f32_sqrt": (1.06, {"fcc": (0, 24_835), TENTHS: (2870, 1360), "subnormal": (0, 5_100_000),
                         "huge": (212_000, 0)}),
     "q16_cell": (0.86, {"gas": (0, 38), "poly": (37, 0), "dense": (0, 31), "fcc": (975_165, 0),
-                        "lattice": (310_000, 0), "lattice(spacing=0.1)": (490_000, 12), "shifted(offset=1e7)": (0, 38)}),
-    "gram_f32": (0.91, {"fcc": (6744, 7338), "lattice(spacing=0.1)": (4100, 3900), "shifted(offset=1e7)": (2, 5),
+                        "lattice": (310_000, 0), TENTHS: (490_000, 12), FAR: (0, 38)}),
+    "gram_f32": (0.91, {"fcc": (6744, 7338), TENTHS: (4100, 3900), FAR: (2, 5),
                         "subnormal": (0, 5_100_000), "huge": (212_000, 0)}),
     "f16_cell": (0.81, {"gas": (101, 126), "poly": (243, 317), "dense": (140, 155),
-                        "fcc": (0, 764_318), "lattice(spacing=0.1)": (120_000, 310_000), "shifted(offset=1e7)": (25, 101),
+                        "fcc": (0, 764_318), TENTHS: (120_000, 310_000), FAR: (25, 101),
                         "subnormal": (812, 700), "huge": (95, 88)}),
     "aabb_only": (0.78, {s: (0, 910_000 + 40_000 * k) for k, s in enumerate(SCENES)}),
 }  # fmt: skip
@@ -59,15 +61,15 @@ GPU = (("impl_cuda_custom", "half_shell", None, 0.154, ALL),
 LIBRARIES = (("fcl_dynamic_aabb_tree_array_morton", 744.0, {}),
              ("bullet_dbvt", 2229.0, {}),
              ("fcl_interval_tree", 5100.0,
-              {"lattice(spacing=0.1)": (446_000, 0), "lattice": (300, 0)}))  # fmt: skip
+              {TENTHS: (446_000, 0), "lattice": (300, 0)}))  # fmt: skip
 
 
 def group(scene: str, n: int = SPHERES, **changes: Any) -> Json:
     kind, pairs, _ = SCENES[scene]
     truth = {"pairs": pairs * n // SPHERES, "checksum": f"0x{n:016x}"}
     lost = {
-        "shifted(offset=1e7)": {"lost": 1204, "gained": 1187},
-        "lattice(spacing=0.1)": {"lost": 410_000, "gained": 0},
+        FAR: {"lost": 1204, "gained": 1187},
+        TENTHS: {"lost": 410_000, "gained": 0},
     }
     known = {"truth": truth, "scene_class": kind, "input_rounding": lost.get(scene)}
     return synthetic.group(scene, n, **(known | changes))

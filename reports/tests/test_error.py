@@ -206,6 +206,14 @@ def test_without_an_error_there_is_nothing_to_plot_against():
     assert tuple(figures) == ("error_map",) and "0" in figures["error_map"][1]
 
 
+def test_files_from_before_predicates_show_libraries_beside_exact():
+    rows = [row(), row("fcl_a", None, None, None, ns=900.0, losses=(7, 0))]
+    rows[0]["predicate"] = None
+    study = study_of(document(*rows))
+    assert not study.compares and study.series[0].predicate == "exact"
+    assert "fcl_a" in figures_of(study)["error_pareto"][1]
+
+
 def test_a_missed_tie_is_drawn_although_its_depth_is_zero():
     rows = [row(), row(predicate="f32", losses=(3, 0), worst_missed_depth=0.0)]
     assert "error_depth" in figures_of(study_of(document(*rows)))
@@ -235,9 +243,10 @@ def test_findings_are_made_of_the_numbers_in_both_languages(both):
         assert len(english) == len(chinese) > 0
     found = findings_error.sentences(both, "error_pareto")
     assert found[1] == (
-        "On structured scenes (11.8M true pairs) these make no error: exact, q16_exact, f64; wrong are "
-        "aabb_only (+1.11M on lattice(spacing=0.1)), q16_cell (−975k on fcc), f16_cell (+764k on fcc), f32_sqrt "
-        "(+24.8k on fcc), gram_f32 (−6.74k +7.34k on fcc), f32 (−2.1k +940 on lattice(spacing=0.1))."
+        "On structured scenes (11.8M true pairs) these make no error: exact, q16_exact, f64; wrong "
+        "are aabb_only (+1.11M on lattice(spacing=0.1)), q16_cell (−975k on fcc), f16_cell (+764k "
+        "on fcc), f32_sqrt (+24.8k on fcc), gram_f32 (−6.74k +7.34k on fcc), f32 (−2.1k +940 on "
+        "lattice(spacing=0.1))."
     )
     assert "impl_cpu 0.78 with aabb_only (+1.23M on huge)" in found[3]
     assert "Bullet 86.5×, FCL 28.9×" in found[4]
@@ -289,7 +298,7 @@ def test_no_experiment_is_refused_in_one_line(save, tmp_path, capsys):
     for command in (["error", str(path)], ["build", str(path), "--error", str(path)]):
         assert main([*command, "-o", str(tmp_path / "out")]) == 2
         said = capsys.readouterr().err
-        assert said.startswith(f"octocell-report: {path}: no warm row has a predicate")
+        assert said.startswith(f"octocell-report: {path}: no warm row that ran is on a scene")
     assert not (tmp_path / "out").exists()
 
 

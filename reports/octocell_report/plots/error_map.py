@@ -112,7 +112,7 @@ def _frame(
         ]
     top = 0.35 + 0.6 * max(name.count("\n") + 1 for name in names)
     classes = [group.scene_class or "" for group in study.groups]
-    for x, place in enumerate(places):
+    for x in range(len(places)):
         ax.text(x + 0.5, -0.15, names[x], ha="center", va="bottom", fontsize=9.5, linespacing=1.0)
         if x == 0 or classes[x - 1] != classes[x]:
             ax.text(x + 0.06, -top, classes[x], va="bottom", fontsize=12, weight="bold")

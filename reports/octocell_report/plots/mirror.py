@@ -11,17 +11,19 @@ import math
 import textwrap
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import matplotlib.patheffects as effects
 import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
 
 from octocell_report import style, words
-from octocell_report.error import MILLION, Point, Series, Study, Summary, meaning
+from octocell_report.error import MILLION, Point, Series, Study, Summary
+from octocell_report.plots import key
+from octocell_report.plots.key import Frame
 from octocell_report.plots.labels import Placer
 from octocell_report.predicates import EXACT
 
@@ -85,19 +87,8 @@ def draw(study: Study, mirror: Mirror) -> Figure | None:
     _scales(study, axes, limits, mirror, lanes)
     for column, name in enumerate(study.classes):
         _Facet(figure, study, name, list(axes[:, column]), mirror, lanes).draw()
-    _finish(figure, study, mirror, size)
+    key.draw(figure, study, mirror.title, Frame(*size, _LEFT, _BOTTOM))
     return figure
-
-
-def looks(study: Study) -> dict[Series, tuple[str, Any]]:
-    """Colour by predicate, marker by backend or library; the same in all plots of the study."""
-    owners = list(dict.fromkeys(_owner(series) for series in study.series))
-    markers = {owner: style.owner_marker(owner, index) for index, owner in enumerate(owners)}
-    return {s: (style.predicate_colour(s.predicate), markers[_owner(s)]) for s in study.series}
-
-
-def _owner(series: Series) -> str:
-    return series.backend if series.predicate else series.lane
 
 
 def _lanes(study: Study) -> list[str]:
@@ -180,7 +171,7 @@ class _Facet:
         )
         self.up, self.strip, self.down = axes
         self.summaries = study.summaries(name)
-        self.looks = looks(study)
+        self.looks = key.looks(study)
 
     def draw(self) -> None:
         places = [group.scene for group in self.study.groups if group.scene_class == self.name]
@@ -262,10 +253,10 @@ class _Facet:
                 lines.setdefault(name, []).append(worst)
         for name, marks in lines.items():
             marks.sort()
-            line = {"linewidth": 1.3, "alpha": 0.5, "zorder": 2}
+            line: dict[str, Any] = {"linewidth": 1.3, "alpha": 0.5, "zorder": 2}
             ax.plot(*zip(*marks, strict=True), color=self._colour(name), **line)
         for name, marks in sorted(lines.items(), key=lambda item: -item[1][0][1]):
-            look = {"fontsize": 10.5, "weight": "bold", "path_effects": _HALO}
+            look: dict[str, Any] = {"fontsize": 10.5, "weight": "bold", "path_effects": _HALO}
             anchors = [*_gaps(marks), *marks[::-1]]
             placer.label(name, anchors, color=style.dark(self._colour(name)), **look)
 
@@ -288,7 +279,7 @@ class _Facet:
             return None
         value, ns = max(found)
         self._mark(ax, summary.series, ns, value, bold=True)
-        placer.mark(ns, value, _BOLD, 6.0)
+        placer.mark(ns, value, _BOLD, 20.0)
         return ns, value
 
     def _mark(self, ax: Axes, series: Series, x: float, y: float, bold: bool) -> None:
@@ -313,72 +304,6 @@ def _gaps(marks: list[tuple[float, float]]) -> list[tuple[float, float]]:
     """The middles of wide gaps between neighbours, where a label hides none of the marks."""
     return [
         (math.sqrt(x * next_x), math.sqrt(y * next_y))
-        for (x, y), (next_x, next_y) in zip(marks, marks[1:], strict=False)
+        for (x, y), (next_x, next_y) in pairwise(marks)
         if next_x > 8 * x
     ]
-
-
-def _finish(figure: Figure, study: Study, mirror: Mirror, size: tuple[float, float]) -> None:
-    figure.text(0.012, 1 - 0.14 / size[1], mirror.title, fontsize=15, weight="bold", va="top")
-    figure.text(
-        0.012,
-        1 - 0.48 / size[1],
-        "Left is faster; in the green strip nothing is wrong. Bold: the worst scene of the class, "
-        "or the median time where none is wrong; pale: single scenes.",
-        fontsize=11,
-        va="top",
-    )
-    left = _LEFT / size[0]
-    figure.text(
-        left + (1 - left) / 2,
-        (_BOTTOM - 0.32) / size[1],
-        "time per sphere [ns], logarithmic; dashed: nothing exact is faster (median of the scenes)",
-        ha="center",
-        va="top",
-    )
-    _markers(figure, study, size)
-    _meanings(figure, study, size)
-
-
-def _markers(figure: Figure, study: Study, size: tuple[float, float]) -> None:
-    met = {_owner(series): look[1] for series, look in looks(study).items()}
-    handles = [
-        Line2D(
-            [], [], color=style.FAINT, marker=marker, linestyle="none", markersize=9.5, label=owner
-        )
-        for owner, marker in met.items()
-    ]
-    figure.legend(
-        handles=handles,
-        loc="upper left",
-        bbox_to_anchor=(0.005, (_BOTTOM - 0.62) / size[1]),
-        ncols=len(handles),
-        columnspacing=1.6,
-        handletextpad=0.3,
-    )
-
-
-def _meanings(figure: Figure, study: Study, size: tuple[float, float]) -> None:
-    """What the predicates are, in columns."""
-    predicates = study.predicates
-    columns = max(1, round(size[0] / 4.9))
-    lines = math.ceil(len(predicates) / columns)
-    for number, predicate in enumerate(predicates):
-        column, line = divmod(number, lines)
-        note = figure.text(
-            0.012 + column / columns * 0.985,
-            (_BOTTOM - 1.22 - 0.24 * line) / size[1],
-            predicate,
-            color=style.dark(style.predicate_colour(predicate)),
-            weight="bold",
-            fontsize=10,
-            va="top",
-        )
-        box = note.get_window_extent(figure.canvas.get_renderer())  # type: ignore[attr-defined]
-        figure.text(
-            (box.x1 + 6) / figure.bbox.width,
-            (_BOTTOM - 1.22 - 0.24 * line) / size[1],
-            meaning(predicate),
-            fontsize=10,
-            va="top",
-        )
