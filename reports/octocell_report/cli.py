@@ -77,6 +77,19 @@ def _parser() -> argparse.ArgumentParser:
     readme.add_argument("--check", action="store_true", help="write nothing; exit 1 if it differs")
     readme.set_defaults(command=_readme)
 
+    promise = commands.add_parser("promise", help="write the tables of what was tried to break it")
+    promise.add_argument(
+        "paths",
+        type=Path,
+        nargs="+",
+        metavar="FOLDER|FILE.md",
+        help="folders of results, for markers that name none; then the files with the markers",
+    )
+    promise.add_argument(
+        "--check", action="store_true", help="write nothing; exit 1 if one differs"
+    )
+    promise.set_defaults(command=_promise)
+
     sort = commands.add_parser("sort", help="plots and a table from octocell bench-sort's JSON")
     sort.add_argument("result", type=Path, metavar="SORT.json")
     sort.add_argument("-o", "--output", type=Path, default=Path("reports/out"), metavar="FOLDER")
@@ -185,6 +198,22 @@ def _readme(options: argparse.Namespace) -> int:
     verb = "differs from" if options.check else "rewritten from"
     print(f"{options.readme}: {verb} {options.result}: {', '.join(differing)}")
     return 1 if options.check else 0
+
+
+def _promise(options: argparse.Namespace) -> int:
+    from octocell_report.readme import rewrite
+
+    folders = [path for path in options.paths if path.suffix != ".md"]
+    files = [path for path in options.paths if path.suffix == ".md"]
+    if not files:
+        raise ReportError("promise: names no .md file to write")
+    every = []
+    for path in files:
+        differing = rewrite(None, path, check_only=options.check, folders=folders)
+        verb = "differs" if options.check else "rewritten"
+        print(f"{path}: {verb}: {', '.join(differing)}" if differing else f"{path}: up to date")
+        every += differing
+    return 1 if every and options.check else 0
 
 
 def _sort(options: argparse.Namespace) -> int:
