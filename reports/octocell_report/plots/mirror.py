@@ -224,8 +224,11 @@ class _Facet:
                 ax.axvline(
                     summary.ns, color=style.INK, linewidth=1.2, linestyle=(0, (4, 2)), zorder=1
                 )
-            name = summary.series.backend
-            text = f"fastest exact, {_FRONTS[on_device]}:\n{name}\n{words.number(summary.ns)} ns"
+            name, how = summary.series.backend, summary.series.predicate
+            time = (
+                f"{how}, {words.number(summary.ns)} ns" if how else f"{words.number(summary.ns)} ns"
+            )
+            text = f"fastest exact, {_FRONTS[on_device]}:\n{name}\n{time}"
             late = summary.ns > middle and len(fronts) == 1
             note = self.up.annotate(
                 text,
