@@ -36,6 +36,7 @@ build: setup ## Build build/octocell and the tests, no more
 test: build ## Run all tests
 	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j "$$(nproc)"
 	@$(PYTHON) -m octocell_report readme $(PUBLISHED) README.md --check
+	@$(PYTHON) -m octocell_report promise docs/promise.md --check
 	@OCTOCELL_BIN=$(BUILD)/octocell $(PYTHON) -m pytest -q
 
 stress: build ## Every implementation on the scenes of the stress catalogue (minutes), and the compilers
@@ -53,12 +54,7 @@ compilers: setup ## One checksum from g++ and clang++ (if there) at -O0 to -O3, 
 fuzz: setup ## Feed random bytes to the backends and the file readers (FUZZ_SECONDS=300 each; installs clang)
 	@scripts/setup_fuzz.sh
 	@cmake --preset fuzz >/dev/null && cmake --build --preset fuzz
-	@for what in scenes files; do \
-	  mkdir -p build-fuzz/corpus/$$what build-fuzz/found && \
-	  OMP_NUM_THREADS=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 build-fuzz/tests/fuzz_$$what -max_len=600 -print_final_stats=1 \
-	    -max_total_time=$(FUZZ_SECONDS) -artifact_prefix=build-fuzz/found/$$what- \
-	    build-fuzz/corpus/$$what tests/fuzz/corpus/$$what || exit 1; \
-	done
+	@$(PYTHON) tests/fuzz/campaign.py --seconds $(FUZZ_SECONDS) -o reports/out/fuzz.json
 
 mutants: setup ## Plant one fault after the other and see that the tests notice each (20 minutes)
 	@cmake --preset faults -DOCTOCELL_WERROR=$(WERROR) -DOCTOCELL_CUDA=$(CUDA_IF_GPU) >/dev/null
@@ -89,14 +85,17 @@ report: setup ## Draw plots and the page again from RESULT (default reports/out/
 	@$(PYTHON) -m octocell_report build $(RESULT) -o reports/out
 	@echo "open reports/out/index.html"
 
-readme: setup ## Write README's tables from the published result
+readme: setup ## Write the tables of README and docs from the published results
 	@$(PYTHON) -m octocell_report readme $(PUBLISHED) README.md
+	@$(PYTHON) -m octocell_report promise docs/promise.md
 
 sanitize: setup ## Build and test with ASan + UBSan, then with TSan
 	@for kind in asan tsan; do \
 	  cmake --preset $$kind -DOCTOCELL_WERROR=$(WERROR) >/dev/null && cmake --build build-$$kind && \
-	  ctest --preset $$kind || exit 1; \
+	  ctest --preset $$kind --output-log build-$$kind/ctest.log || exit 1; \
 	done
+	@$(PYTHON) tests/hazards/sanitizers.py -o reports/out/sanitizers.json \
+	  "ASan + UBSan=build-asan/ctest.log" "TSan=build-tsan/ctest.log"
 
 cuda-toolkit: ## Make a CUDA toolkit (nvcc and Thrust) in .cuda/, where the machine has none
 	@scripts/cuda_toolkit.sh

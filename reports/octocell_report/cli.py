@@ -8,10 +8,14 @@ import math
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from octocell_report import __version__
 from octocell_report.fields import ReportError
 from octocell_report.load import Result, load
+
+if TYPE_CHECKING:
+    from octocell_report.error import Study
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -40,6 +44,14 @@ def _parser() -> argparse.ArgumentParser:
         metavar="ABLATION.json",
         help="result of the preset ablation (default: FOLDER/ablation.json, if it is there)",
     )
+    build.add_argument(
+        "--error",
+        type=Path,
+        nargs="+",
+        default=[],
+        metavar="ERROR.json",
+        help="results with several predicates (default: FOLDER/error*.json, if there are any)",
+    )
     build.set_defaults(command=_build)
 
     check = commands.add_parser("check", help="exit 1 if a row is wrong that is no exhibit")
@@ -65,6 +77,19 @@ def _parser() -> argparse.ArgumentParser:
     readme.add_argument("--check", action="store_true", help="write nothing; exit 1 if it differs")
     readme.set_defaults(command=_readme)
 
+    promise = commands.add_parser("promise", help="write the tables of what was tried to break it")
+    promise.add_argument(
+        "paths",
+        type=Path,
+        nargs="+",
+        metavar="FOLDER|FILE.md",
+        help="folders of results, for markers that name none; then the files with the markers",
+    )
+    promise.add_argument(
+        "--check", action="store_true", help="write nothing; exit 1 if one differs"
+    )
+    promise.set_defaults(command=_promise)
+
     sort = commands.add_parser("sort", help="plots and a table from octocell bench-sort's JSON")
     sort.add_argument("result", type=Path, metavar="SORT.json")
     sort.add_argument("-o", "--output", type=Path, default=Path("reports/out"), metavar="FOLDER")
@@ -76,6 +101,11 @@ def _parser() -> argparse.ArgumentParser:
         "-o", "--output", type=Path, default=Path("reports/out"), metavar="FOLDER"
     )
     ablation.set_defaults(command=_ablation)
+
+    error = commands.add_parser("error", help="plots and tables of run time against error")
+    error.add_argument("results", type=Path, nargs="+", metavar="ERROR.json")
+    error.add_argument("-o", "--output", type=Path, default=Path("reports/out"), metavar="FOLDER")
+    error.set_defaults(command=_error)
     return parser
 
 
@@ -94,7 +124,7 @@ def _build(options: argparse.Namespace) -> int:
 
     result = load(options.result)
     ablation = _ablation_of(options) or (result if result.variants else None)
-    names = page.build(result, options.output, ablation)
+    names = page.build(result, options.output, ablation, _error_of(options, result))
     print(
         f"{options.output / 'index.html'}: written, with {len(names) - 1} plots and tables beside"
     )
@@ -105,6 +135,28 @@ def _ablation_of(options: argparse.Namespace) -> Result | None:
     """The one that was named, or else lies in the folder; None without."""
     path: Path = options.ablation or options.output / "ablation.json"
     return _loaded_ablation(path) if options.ablation or path.is_file() else None
+
+
+def _error_of(options: argparse.Namespace, result: Result) -> Study | None:
+    """Those that were named, or else lie in the folder, or else the result if it is one."""
+    from octocell_report.error import Study
+
+    paths: list[Path] = options.error or sorted(options.output.glob("error*.json"))
+    if paths:
+        return _loaded_error(paths)
+    study = Study([result])
+    return study if study.compares else None
+
+
+def _loaded_error(paths: list[Path]) -> Study:
+    from octocell_report.error import Study, require
+
+    study = Study(load(path) for path in paths)
+    try:
+        require(study)
+    except ReportError as error:
+        raise ReportError(f"{', '.join(map(str, paths))}: {error}") from error
+    return study
 
 
 def _loaded_ablation(path: Path) -> Result:
@@ -148,6 +200,22 @@ def _readme(options: argparse.Namespace) -> int:
     return 1 if options.check else 0
 
 
+def _promise(options: argparse.Namespace) -> int:
+    from octocell_report.readme import rewrite
+
+    folders = [path for path in options.paths if path.suffix != ".md"]
+    files = [path for path in options.paths if path.suffix == ".md"]
+    if not files:
+        raise ReportError("promise: names no .md file to write")
+    every = []
+    for path in files:
+        differing = rewrite(None, path, check_only=options.check, folders=folders)
+        verb = "differs" if options.check else "rewritten"
+        print(f"{path}: {verb}: {', '.join(differing)}" if differing else f"{path}: up to date")
+        every += differing
+    return 1 if every and options.check else 0
+
+
 def _sort(options: argparse.Namespace) -> int:
     from octocell_report import sort, sort_figures  # as for _build
 
@@ -164,5 +232,16 @@ def _ablation(options: argparse.Namespace) -> int:
     verdict = check.judge(result)
     for row in [*verdict.wrong, *verdict.wrong_variants]:
         print(check.complaint(row))
+    print(f"{options.output}: written: {', '.join(names)}")
+    return 0
+
+
+def _error(options: argparse.Namespace) -> int:
+    from octocell_report import error_files, findings_error  # as for _build
+
+    study = _loaded_error(options.results)
+    names = error_files.build(study, options.output)
+    for line in findings_error.sentences(study, "error_map"):
+        print(line)
     print(f"{options.output}: written: {', '.join(names)}")
     return 0

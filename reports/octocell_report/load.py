@@ -30,8 +30,12 @@ from octocell_report.fields import (
     one_of,
     or_null,
 )
+from octocell_report.groups import Group as Group  # others take both from here
+from octocell_report.groups import Place as Place
+from octocell_report.groups import group_of
 from octocell_report.motion import Motion, motion_of
 from octocell_report.plan import Plan, plan_of, variant_of
+from octocell_report.predicates import EXACT, Distances, distances_of, predicate_of
 
 SCHEMA = 1
 DEVICE_RUNS = ("rotated", "graph", "transfers")  # of backends on a device, beside cold and warm
@@ -53,28 +57,7 @@ class Impl(NamedTuple):
     method: str | None
     rule: str | None
     threads: int
-
-
-class Place(NamedTuple):
-    """Where it is compared: one scene at one size."""
-
-    scene: str
-    n: int
-
-
-@dataclass(frozen=True)
-class Group:
-    scene: str
-    n: int
-    spec: str
-    real: bool
-    unavailable: str | None
-    truth_pairs: int | None
-    truth_checksum: str | None
-
-    @property
-    def place(self) -> Place:
-        return Place(self.scene, self.n)
+    predicate: str | None = None  # where it is not the one that users get
 
 
 @dataclass(frozen=True)
@@ -106,6 +89,9 @@ class Row:
     known_faults: str  # why its library can lose pairs however it is driven; empty if it cannot
     skips: str | None  # which variant of the planned row it is; None for rows as users have them
     plan: Plan | None  # what it came to; of our rows that ran, and not of all
+    predicate: str | None  # None for baselines, and in files from before there was a choice
+    distances: Distances | None  # None for skipped rows
+    distinct_checksums: int | None  # over all its runs; above 1 it does not repeat its own answer
 
     @property
     def round_ms(self) -> tuple[float, ...]:
@@ -203,7 +189,7 @@ def parse(document: Any) -> Result:
         raise ReportError(f"schema {document['schema']!r} is not the schema {SCHEMA} read here")
     context = Fields(document, "result").take("context", is_object)
     check_context(context)
-    groups = [_group(item, i) for i, item in enumerate(_list(document, "groups"))]
+    groups = [group_of(item, i) for i, item in enumerate(_list(document, "groups"))]
     rows = [_row(item, i) for i, item in enumerate(_list(document, "rows"))]
     _check_together(groups, rows)
     absent = _absent(rows)
@@ -232,26 +218,6 @@ def _list(document: Json, key: str) -> list[Any]:
     return found
 
 
-def _group(item: Any, index: int) -> Group:
-    fields = Fields(item, f"group {index}")
-    scene, n = fields.take("scene", is_text), fields.take("n", is_whole)
-    fields.title = f"group {index} (scene {scene}, n {n})"
-    truth = fields.take("truth", or_null(is_object))
-    pairs = checksum = None
-    if truth is not None:
-        known = Fields(truth, f"{fields.title}: truth")
-        pairs, checksum = known.take("pairs", is_whole), known.take("checksum", is_text)
-    return Group(
-        scene=scene,
-        n=n,
-        spec=fields.take("spec", is_text),
-        real=fields.take("real", is_bool),
-        unavailable=fields.take("unavailable", or_null(is_text)),
-        truth_pairs=pairs,
-        truth_checksum=checksum,
-    )
-
-
 # Fields that only a row that ran must have; a skipped row's are not looked at.
 _MEASURED: dict[str, Check] = {
     "pairs": is_whole,
@@ -273,6 +239,7 @@ _MEASURED: dict[str, Check] = {
 _OPTIONAL: dict[str, Check] = {
     "stage_bytes": or_null(is_bytes),
     "device_bytes": or_null(is_whole),
+    "distinct_checksums": or_null(is_whole),
 }
 
 
@@ -280,11 +247,13 @@ def _row(item: Any, index: int) -> Row:
     fields = Fields(item, f"row {index}")
     name = fields.take("name", is_text)
     fields.title = f"row {index} ({name})"
+    predicate = predicate_of(fields)
     impl = Impl(
         fields.take("backend", is_text),
         fields.take("method", or_null(is_text)),
         fields.take("rule", or_null(is_text)),
         fields.take("threads", is_whole),
+        predicate if predicate != EXACT else None,
     )
     status = fields.take("status", one_of(*STATUSES))
     return Row(
@@ -298,12 +267,13 @@ def _row(item: Any, index: int) -> Row:
         reason=fields.take("reason", is_text if status == "skipped" else or_null(is_text)),
         known_faults=fields.optional("known_faults", or_null(is_text)) or "",
         skips=variant_of(fields, impl.method),
+        predicate=predicate,
         **(_unmeasured() if status == "skipped" else _measured(fields)),
     )
 
 
 def _unmeasured() -> Json:
-    nothing: Json = dict.fromkeys([*_MEASURED, *_OPTIONAL, "motion", "plan"])
+    nothing: Json = dict.fromkeys([*_MEASURED, *_OPTIONAL, "motion", "plan", "distances"])
     return nothing | {"total_ms": (), "stage_ms": {}, "stage_bytes": {}, "fused": {}}
 
 
@@ -315,6 +285,7 @@ def _measured(fields: Fields) -> Json:
         raise ReportError(f"{fields.title}: field 'total_ms' has no round")
     found["total_ms"] = tuple(found["total_ms"])
     found["motion"], found["plan"] = motion_of(fields), plan_of(fields)
+    found["distances"] = distances_of(fields)
     known = sorted(found["stage_ms"].items(), key=lambda item: _rank(item[0]))
     found["stage_ms"] = {stage: tuple(ms) for stage, ms in known if ms}
     return found

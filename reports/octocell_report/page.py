@@ -13,17 +13,21 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from octocell_report import (
     ablation_files,
     check,
+    error_files,
     findings,
     findings_ablation,
+    findings_error,
     findings_gpu,
     frames,
     images,
     language,
     page_ablation,
+    page_error,
     page_tables,
     plots,
     words,
 )
+from octocell_report.error import Study
 from octocell_report.files import staged_folder
 from octocell_report.language import Said, all_of, both, say
 from octocell_report.load import Result
@@ -59,25 +63,33 @@ def owned_names() -> set[str]:
     return {"index.html"} | drawn | {f"{name}.csv" for name in frames.NAMES}
 
 
-def build(result: Result, folder: Path, ablation: Result | None = None) -> list[str]:
+def build(
+    result: Result, folder: Path, ablation: Result | None = None, error: Study | None = None
+) -> list[str]:
     """Writes plots, tables and index.html; returns the names written. All or nothing.
 
-    Without an ablation its files, which another command may have written there, are left alone.
+    Without an ablation its files, which another command may have written there, are left alone; so
+    are those of run time against error.
     """
     owned = owned_names() | (ablation_files.owned_names() if ablation else set())
+    owned |= error_files.owned_names() if error else set()
     with staged_folder(folder, owned) as staging:
         images.write(plots.draw_all(result), staging)
         if ablation:
             ablation_files.write(ablation, staging)
+        if error:
+            error_files.write(error, staging)
         for name, frame in frames.all_frames(result).items():
             if not frame.empty:
                 frame.convert_dtypes().to_csv(staging / f"{name}.csv", index=False)
-        html = render(result, staging, ablation)
+        html = render(result, staging, ablation, error)
         (staging / "index.html").write_text(html, encoding="utf-8")
         return sorted(path.name for path in staging.iterdir())
 
 
-def render(result: Result, folder: Path, ablation: Result | None = None) -> str:
+def render(
+    result: Result, folder: Path, ablation: Result | None = None, error: Study | None = None
+) -> str:
     """The page, with those plots that lie in the folder."""
     environment = Environment(
         loader=PackageLoader("octocell_report", "."),
@@ -95,13 +107,20 @@ def render(result: Result, folder: Path, ablation: Result | None = None) -> str:
         headline=both(lambda spoken: check.headline(verdict, spoken)),
         overview=all_of(lambda spoken: findings.overview(result, spoken)),
         memory_gb=f"{result.context['machine']['memory_bytes'] / 1e9:.1f}",
-        sections=sections(result, folder) + _ablation_sections(ablation, folder),
+        sections=[
+            *sections(result, folder),
+            *_error_sections(error, folder),
+            *_ablation_sections(ablation, folder),
+        ],
         times=page_tables.times(result),
         speedups=page_tables.speedups(result),
         gpu=page_tables.gpu(result),
         gpu_seen=all_of(lambda spoken: findings_gpu.runs(result, spoken)),
         device=_device(result),
         frames=page_tables.frames(result),
+        costs=page_error.costs(error),
+        costs_seen=all_of(lambda spoken: findings_error.prices(error, spoken) if error else []),
+        rounding=page_error.rounding(error),
         regret=page_ablation.regret(ablation),
         skipped=page_tables.skipped(result),
         unavailable=page_tables.unavailable(result),
@@ -131,6 +150,19 @@ def _ablation_sections(ablation: Result | None, folder: Path) -> list[Section]:
         return origin + findings_ablation.sentences(ablation, name, spoken)
 
     return _sections(folder, plots.ABLATION_NAMES, told)
+
+
+def _error_sections(error: Study | None, folder: Path) -> list[Section]:
+    """The same; its rows may come from several files."""
+    if error is None:
+        return []
+
+    def told(name: str, spoken: str) -> list[str]:
+        first = name == plots.ERROR_NAMES[0]
+        origins = findings_error.origins(error, spoken) if first else []
+        return origins + findings_error.sentences(error, name, spoken)
+
+    return _sections(folder, plots.ERROR_NAMES, told)
 
 
 def _sections(

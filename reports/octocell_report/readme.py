@@ -7,17 +7,18 @@
 
 A marker may name the result that its block is written from, by its path from the file's folder:
 <!-- octocell:gpu_speed reports/results/h100/gpu.json -->. Else it is the one that was given.
+Blocks of the promise are written from folders of results, and may name one the same way.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
 from statistics import median
 
-from octocell_report import readme_gpu, readme_sorts, sort, tables, words
+from octocell_report import evidence, readme_gpu, readme_promise, readme_sorts, sort, tables, words
 from octocell_report.fields import ReportError
 from octocell_report.files import replace_text
 from octocell_report.load import Impl, Place, Result, Row, load
@@ -32,8 +33,13 @@ RUNS = ("cold", "warm")
 _MARKER = re.compile(r"<!--\s*(/?)octocell:([^\s>]*)(?:\s+([^\s>]+))?\s*-->")
 
 
-def rewrite(result: Result, path: Path, check_only: bool) -> list[str]:
-    """Names of the blocks that differed; unless check_only, the file has them all now."""
+def rewrite(
+    result: Result | None, path: Path, check_only: bool, folders: Sequence[Path] = ()
+) -> list[str]:
+    """Names of the blocks that differed; unless check_only, the file has them all now.
+
+    Without a result only the promise's blocks are written, from the folders if they name none.
+    """
     try:
         with path.open(encoding="utf-8", newline="") as stream:
             text = stream.read()
@@ -41,7 +47,7 @@ def rewrite(result: Result, path: Path, check_only: bool) -> list[str]:
         why = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
         raise ReportError(f"{path}: cannot be read: {why}") from error
     try:
-        fresh, differing = filled(result, text, path.parent)
+        fresh, differing = filled(result, text, path.parent, folders)
     except ReportError as error:
         raise ReportError(f"{path}: {error}") from error
     if differing and not check_only:
@@ -49,13 +55,20 @@ def rewrite(result: Result, path: Path, check_only: bool) -> list[str]:
     return differing
 
 
-def filled(result: Result, text: str, folder: Path = Path()) -> tuple[str, list[str]]:
-    """The text with every block written anew, and the names of those that differed."""
+def filled(
+    result: Result | None, text: str, folder: Path = Path(), folders: Sequence[Path] = ()
+) -> tuple[str, list[str]]:
+    """The text with its blocks written anew, and the names of those that differed."""
     newline = "\r\n" if "\r\n" in text else "\n"
-    benches, sorts = cache(load), cache(sort.load)
+    benches, sorts, read = cache(load), cache(sort.load), cache(evidence.read)
     parts, differing, end = [], [], 0
-    for name, source, start, stop in _blocks(text):
-        if name in SORT_BLOCKS:
+    for name, source, start, stop in _blocks(text, bool(folders)):
+        if name in readme_promise.BLOCKS:
+            given = (folder / source,) if source else tuple(folders)
+            block = readme_promise.BLOCKS[name](read(given))
+        elif result is None:
+            continue
+        elif name in SORT_BLOCKS:
             block = SORT_BLOCKS[name](sorts(folder / source))
         else:
             block = BLOCKS[name](benches(folder / source) if source else result)
@@ -67,15 +80,15 @@ def filled(result: Result, text: str, folder: Path = Path()) -> tuple[str, list[
     return "".join(parts) + text[end:], differing
 
 
-def _blocks(text: str) -> list[tuple[str, str, int, int]]:
+def _blocks(text: str, given: bool) -> list[tuple[str, str, int, int]]:
     """(name, source or nothing, start, stop) of what stands between markers, checked to pair up."""
     found = []
     opened: tuple[str, str, int, int] | None = None
     for marker in _MARKER.finditer(text):
         closes, name, source = marker.group(1) == "/", marker.group(2), marker.group(3) or ""
         line = text.count("\n", 0, marker.start()) + 1
-        if name not in BLOCKS and name not in SORT_BLOCKS:
-            known = ", ".join([*BLOCKS, *SORT_BLOCKS])
+        if name not in KNOWN:
+            known = ", ".join(KNOWN)
             raise ReportError(f"line {line}: unknown marker 'octocell:{name}'; known: {known}")
         if closes != (opened is not None) or (opened and opened[0] != name):
             still = f"'{opened[0]}' is still open" if opened else ""
@@ -83,7 +96,7 @@ def _blocks(text: str) -> list[tuple[str, str, int, int]]:
             raise ReportError(f"line {line}: {what}")
         if closes and source:
             raise ReportError(f"line {line}: only the first marker of '{name}' names a result")
-        if name in SORT_BLOCKS and not closes and not source:
+        if not (closes or source or name in BLOCKS or (given and name in readme_promise.BLOCKS)):
             raise ReportError(f"line {line}: marker 'octocell:{name}' must name its result")
         if opened is None:
             opened = name, source, marker.end(), line
@@ -248,3 +261,4 @@ BLOCKS: dict[str, Callable[[Result], str]] = {
 }
 # Of another kind of result, so its marker always names it.
 SORT_BLOCKS: dict[str, Callable[[SortResult], str]] = {"gpu_sorts": readme_sorts.sorts}
+KNOWN = (*BLOCKS, *SORT_BLOCKS, *readme_promise.BLOCKS)

@@ -16,7 +16,6 @@ Times = NDArray[np.float64]
 
 LEAST_ROUNDS = 3
 SHARE = 99  # per cent of the medians that the interval holds
-TAILS = ((100 - SHARE) / 2, (100 + SHARE) / 2)
 _DRAWS = 2000
 
 
@@ -40,11 +39,19 @@ class Estimate(NamedTuple):
         return self.judged and self.high < limit
 
 
+def tails(share: float) -> tuple[float, float]:
+    """Where the middle share begins and ends; all in per cent."""
+    return (100 - share) / 2, (100 + share) / 2
+
+
+TAILS = tails(SHARE)
+
+
 @cache
-def estimate(values: tuple[float, ...]) -> Estimate:
+def estimate(values: tuple[float, ...], share: float = SHARE) -> Estimate:
     """Of one value a round; there must be one."""
     drawn = drawn_medians(np.asarray(values), np.random.default_rng(1))
-    low, high = np.percentile(drawn, TAILS, method="inverted_cdf")
+    low, high = np.percentile(drawn, tails(share), method="inverted_cdf")
     return Estimate(median(values), float(low), float(high), len(values))
 
 

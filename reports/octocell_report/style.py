@@ -171,3 +171,43 @@ def ink_on(colour: str) -> str:
 
 def stage_colour(stage: str) -> str:
     return _STAGES.get(stage, FAINT)
+
+
+# How a pair is tested. Exact is the one dark colour, libraries are black.
+_PREDICATES = {
+    "exact": BLUE,
+    "q16_exact": SKY,
+    "f64": PURPLE,
+    "f32": ORANGE,
+    "f32_sqrt": YELLOW,
+    "q16_cell": GREEN,
+    "gram_f32": VERMILLION,
+    "f16_cell": WINE,
+    "aabb_only": GREY,
+}
+_OWNERS = {
+    "impl_cpu": "o",
+    "impl_thrust": "s",
+    "impl_cuda_custom": "D",
+    "impl_thrust_cuda": "p",
+    "FCL": "^",
+    "Bullet": "v",
+}
+
+
+def predicate_colour(predicate: str | None) -> str:
+    """Black for libraries, which come as they are."""
+    return _PREDICATES.get(predicate or "", BLACK)
+
+
+def owner_marker(owner: str, index: int) -> Any:
+    """Of a backend of ours, or of a library; others by their place in the table."""
+    return _OWNERS.get(owner, _MARKERS[index % len(_MARKERS)])
+
+
+def dark(colour: str) -> str:
+    """As dark as small text needs it on white."""
+    by = 0.0
+    while luminance(darker(colour, by)) > 0.15:
+        by += 0.05
+    return darker(colour, by)

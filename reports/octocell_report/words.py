@@ -53,6 +53,16 @@ def count(value: int | None) -> str:
     return str(value)
 
 
+def rate(value: float) -> str:
+    """Errors per million, short: 2.5, 38, 1.01k, 5.1M."""
+    if value < 9.5:
+        return f"{value:.2g}"
+    if value < 999.5:
+        return f"{value:.0f}"
+    unit, suffix = (10**6, "M") if value >= 0.9995e6 else (10**3, "k")
+    return f"{value / unit:.3g}{suffix}"
+
+
 def percent(value: float) -> str:
     """Whole from 10 up, one digit below: 42, 3.1."""
     return f"{value:.0f}" if value >= 9.95 else f"{value:.1f}"
@@ -129,6 +139,8 @@ def labels(result: Result) -> dict[Impl, str]:
             words.append(f"{impl.method}/{impl.rule}")
         elif impl.rule or impl.method:
             words.append(impl.rule or impl.method or "")
+        if impl.predicate:
+            words.append(impl.predicate)
         if impl.threads != 1 and len(threads) > 1:
             words.append(f"({impl.threads} threads)")
         return " ".join(words)

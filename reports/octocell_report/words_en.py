@@ -105,6 +105,19 @@ _TABLES = {
     "verdict_above": "above",
     "verdict_unclear": "unclear",
     "verdict_unknown": "too few rounds",
+    "costs_table": "What exactness costs, as a table",
+    "costs_how": "Time of exact by time of f32, the same configuration in the same rounds; the median, and the interval "
+    "that holds 95 % of the medians of rounds drawn again (bootstrap). Deciding: stages 5 and 6 alone, which test "
+    "pairs. Whole: all stages.",
+    "rounding_table": "What rounding the input did",
+    "rounding_how": "These scenes are given in float64. Rounding them to float32, before anything of ours, changes "
+    "which pairs overlap: that is no error of an overlap test, and no test can undo it.",
+    "column_deciding": "deciding: exact / f32",
+    "column_whole": "whole: exact / f32",
+    "column_pairs": "true pairs",
+    "column_lost": "lost by rounding",
+    "column_gained": "gained by rounding",
+    "column_changed": "changed per million",
 }
 
 _SECTIONS = {
@@ -175,6 +188,17 @@ _SECTIONS = {
     "how_ablation_regret": "Planned time by that of the fastest of all methods that can be forced and all variants, "
     "within rounds. The fastest is found after the fact, so a percent or two above 1 is chance where many "
     "are alike; hollow marks say that it came to the very same plan.",
+    "error": "Run time against error",
+    "title_error_pareto": "Run time against error",
+    "how_error_pareto": "Each mark is one way to test a pair (colour) in one backend (shape). Up: pairs lost; down: "
+    "pairs invented, both per million true pairs, logarithmic; between them, on green, what made no error, and how rare "
+    "one could still be (3/N, 95 %). Left is faster. Bold is the worst scene of the class, or the median time where none is "
+    "wrong; pale marks are single scenes. Warm, of each backend one configuration, the same for all tests.",
+    "title_error_depth": "How bad the worst pair is",
+    "how_error_depth": "The same with the worst pair's size: by how much of the sum of the radii a lost pair "
+    "overlaps, and how wide the gap of an invented one is. Near 1e-7 is float32's rounding; a simulation can feel 1e-3.",
+    "title_error_map": "Errors by scene",
+    "how_error_map": "Per million true pairs: − lost, + invented.",
 }
 
 _READING = {
@@ -274,6 +298,28 @@ _FINDINGS = {
     "regret_unclear": "The interval holds {target}, so more rounds would have to tell: {cases}.",
     "regret_unknown": "Too few rounds to judge against {target}: {cases}.",
     "regret_case": "{ratio} on {place} (best: {choice})",
+    "class_random": "random scenes",
+    "class_structured": "structured scenes",
+    "class_extreme": "extreme scenes",
+    "error_class": "On {scenes} ({pairs} true pairs) these make no error: {right}; wrong are {cases}.",
+    "error_class_right": "On {scenes} ({pairs} true pairs) none makes an error: {right}.",
+    "error_case": "{name} ({what} on {scene})",
+    "error_lost": "−{rate}",
+    "error_invented": "+{rate}",
+    "error_price": "{name}: deciding exactly takes {ratio} times as long as plain float32, over {scenes} ({ratios}; dearer beyond the "
+    "noise on {dearer}, cheaper on {cheaper}); all stages together {whole} times.",
+    "error_savings": "The cheapest test of each backend, its time by exact's, and its worst errors per million: {cases}.",
+    "error_saving": "{name} {ratio} with {case}",
+    "error_libraries_time": "Fastest exact broad phase by ours on the host: {cases} the time.",
+    "error_library": "{name} {ratios}",
+    "depth_lost": "Deepest pair lost, by the sum of the radii: {cases}.",
+    "depth_invented": "Widest gap taken for an overlap: {cases}.",
+    "depth_case": "{name} {value} ({scene})",
+    "error_kept": "All {rows} rows that promise to be exact are, on {scenes}.",
+    "error_broken": "A promise is broken: {cases}.",
+    "error_libraries": "Libraries lose pairs, by their own faults: {cases}.",
+    "error_unsteady": "Not the same answer in all runs: {cases}.",
+    "error_more": "{count} more",
 }
 
 TEXTS: dict[str, str] = _PAGE | _TABLES | _SECTIONS | _READING | _FINDINGS

@@ -97,6 +97,18 @@ _TABLES = {
     "verdict_above": "超出",
     "verdict_unclear": "不确定",
     "verdict_unknown": "轮数太少",
+    "costs_table": "精确的代价：数据表",
+    "costs_how": "exact 与 f32 的时间之比，同一配置、同一轮次；列出中位数，以及包含对各轮重新抽样（自助法）所得中位数 95 % 的区间。"
+    "判定：只计检验球对的第 5、6 阶段。整体：所有阶段。",
+    "rounding_table": "输入舍入的影响",
+    "rounding_how": "这些场景以 float64 给出。在我们的任何运算之前，舍入到 float32 就已改变哪些球对重叠：这不是判定方法的误差，"
+    "任何判定方法也无法挽回。",
+    "column_deciding": "判定：exact / f32",
+    "column_whole": "整体：exact / f32",
+    "column_pairs": "真实球对",
+    "column_lost": "舍入失去",
+    "column_gained": "舍入增加",
+    "column_changed": "每百万对的变化",
 }
 
 _SECTIONS = {
@@ -153,6 +165,16 @@ _SECTIONS = {
     "title_ablation_regret": "遗憾值：计划与最佳选择",
     "how_ablation_regret": "计划时间除以所有可强制的方法和所有变体中最快者的时间，在每轮内计算。最快者是事后选出的，"
     "因此在许多选择相近时，比 1 高百分之一二属于偶然；空心标记表示最快者与计划完全相同。",
+    "error": "运行时间与误差",
+    "title_error_pareto": "运行时间与误差",
+    "how_error_pareto": "每个标记是一个后端（形状）中的一种球对判定方法（颜色）。向上：漏掉的球对；向下：误报的球对，"
+    "均为每百万真实球对，对数刻度；中间绿色部分没有出错，并注明错误率的上界（3/N，95 %）。越靠左越快。"
+    "粗标记是该类中最差的场景，没有错误时取时间的中位数；浅色标记是各个场景。热运行，每个后端取一种配置，各判定方法相同。",
+    "title_error_depth": "最严重的错误有多大",
+    "how_error_depth": "同上，纵轴为最严重的一对：漏掉的球对重叠多深，误报的球对间隔多宽，均以半径之和为单位。"
+    "1e-7 左右是 float32 的舍入误差；1e-3 已能影响模拟。",
+    "title_error_map": "各场景的错误",
+    "how_error_map": "每百万真实球对：− 为漏掉，+ 为误报。",
 }
 
 _READING = {
@@ -245,6 +267,28 @@ _FINDINGS = {
     "regret_unclear": "区间包含 {target}，需要更多轮次才能判定：{cases}。",
     "regret_unknown": "轮数太少，无法对照 {target} 判定：{cases}。",
     "regret_case": "{place} 上的 {ratio}（最佳：{choice}）",
+    "class_random": "随机场景",
+    "class_structured": "规则场景",
+    "class_extreme": "极端场景",
+    "error_class": "在{scenes}（{pairs} 个真实球对）中，没有出错的有：{right}；出错的有：{cases}。",
+    "error_class_right": "在{scenes}（{pairs} 个真实球对）中全部没有出错：{right}。",
+    "error_case": "{name}（{scene} 上 {what}）",
+    "error_lost": "−{rate}",
+    "error_invented": "+{rate}",
+    "error_price": "{name}：在 {scenes}中，精确判定的时间是普通 float32 的 {ratio} 倍（{ratios}；超出噪声而更慢的有 {dearer} 个，"
+    "更快的有 {cheaper} 个）；所有阶段合计为 {whole} 倍。",
+    "error_savings": "各后端最省时的判定方法、其时间与 exact 之比及每百万对的最多错误：{cases}。",
+    "error_saving": "{name} {ratio}，{case}",
+    "error_libraries_time": "程序库最快的精确实现与我们在主机上的最快者的时间之比：{cases}。",
+    "error_library": "{name} {ratios}",
+    "depth_lost": "漏掉的最深重叠（以半径之和为单位）：{cases}。",
+    "depth_invented": "被误认为重叠的最宽间隔：{cases}。",
+    "depth_case": "{name} {value}（{scene}）",
+    "error_kept": "承诺精确的全部 {rows} 行在 {scenes}中都是精确的。",
+    "error_broken": "承诺被打破：{cases}。",
+    "error_libraries": "程序库因自身缺陷漏掉球对：{cases}。",
+    "error_unsteady": "各次运行的结果不一致：{cases}。",
+    "error_more": "另有 {count} 项",
 }
 
 TEXTS: dict[str, str] = _PAGE | _TABLES | _SECTIONS | _READING | _FINDINGS

@@ -17,6 +17,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))
+
+from provenance import context  # noqa: E402
+
 # impl_cpu as the build compiles it; nothing else of the build's flags: no -fno-tree-slp-vectorize.
 ALWAYS = ["-std=c++20", "-ffp-contract=off", f"-I{ROOT}", "-DBOOST_ASIO_DISABLE_FENCED_BLOCK"]
 LIBRARIES = ["-lfmt", "-lgmpxx", "-lgmp", "-pthread"]
@@ -165,6 +169,7 @@ def main() -> int:
         result = {
             "schema": 1,
             "kind": "compilers",
+            "context": context(),
             "compilers": {name: version(name) for name in compilers()},
             "configurations": [configuration.name for configuration in configurations],
             "checksums": len(first),

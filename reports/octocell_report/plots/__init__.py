@@ -10,12 +10,16 @@ import matplotlib.pyplot as plt
 from matplotlib.figure import Figure
 
 from octocell_report import style, tables
+from octocell_report.error import Study
 from octocell_report.load import Impl, Result
 from octocell_report.plots import (
     bandwidth,
     correctness,
+    depth,
     dynamic,
+    error_map,
     memory,
+    pareto,
     regret,
     skips,
     speed,
@@ -41,6 +45,8 @@ NAMES = (
 )
 # The same for draw_ablation().
 ABLATION_NAMES = ("ablation_skips", "ablation_steps", "ablation_regret")
+# The same for draw_error().
+ERROR_NAMES = ("error_pareto", "error_depth", "error_map")
 
 
 def draw_all(result: Result) -> Iterator[tuple[str, Figure]]:
@@ -52,6 +58,12 @@ def draw_ablation(result: Result) -> Iterator[tuple[str, Figure]]:
     """The same for what planned rows and their variants show."""
     plans = (partial(skips.draw, result), partial(steps.draw, result), partial(regret.draw, result))
     yield from _drawn(dict(zip(ABLATION_NAMES, plans, strict=True)))
+
+
+def draw_error(study: Study) -> Iterator[tuple[str, Figure]]:
+    """The same for run time against error."""
+    plans = (partial(plot.draw, study) for plot in (pareto, depth, error_map))
+    yield from _drawn(dict(zip(ERROR_NAMES, plans, strict=True)))
 
 
 def _drawn(plans: Mapping[str, Callable[[], Figure | None]]) -> Iterator[tuple[str, Figure]]:

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: MIT
+"""Run time against error as files: three figures, tables as CSV, and all of it as Markdown."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+
+from octocell_report import findings_error, images, markdown, page_error, plots
+from octocell_report.error import MILLION, Study
+from octocell_report.files import staged_folder
+from octocell_report.language import tell
+from octocell_report.page_tables import Table
+from octocell_report.spread import Estimate
+
+TABLES = ("error.csv", "error_costs.csv", "error_rounding.csv", "error.md")
+
+
+def owned_names() -> set[str]:
+    """Every file that write() may write."""
+    drawn = {f"{name}.{end}" for name in plots.ERROR_NAMES for end in images.ENDINGS}
+    return drawn | set(TABLES)
+
+
+def build(study: Study, folder: Path) -> list[str]:
+    """Writes everything; returns the names. All or nothing."""
+    with staged_folder(folder, owned_names()) as staging:
+        write(study, staging)
+        return sorted(path.name for path in staging.iterdir())
+
+
+def write(study: Study, folder: Path) -> None:
+    images.write(plots.draw_error(study), folder)
+    frames = {"error": points_frame, "error_costs": costs_frame, "error_rounding": rounding_frame}
+    for name, make in frames.items():
+        frame = make(study)
+        if not frame.empty:
+            frame.convert_dtypes().to_csv(folder / f"{name}.csv", index=False)
+    (folder / "error.md").write_text(text(study, folder), encoding="utf-8")
+
+
+def points_frame(study: Study) -> pd.DataFrame:
+    """Every mark of the figures: one series on one scene."""
+    return pd.DataFrame(
+        {
+            **{"scene_class": point.group.scene_class, "scene": point.group.scene},
+            **{"n": point.group.n, "true_pairs": point.group.truth_pairs},
+            **{"backend": point.series.backend, "predicate": point.series.predicate},
+            **{"method": point.row.impl.method, "rule": point.row.impl.rule},
+            **{"threads": point.row.impl.threads, "promised_exact": point.promised},
+            "ns_per_sphere": point.ns,
+            **{"missed": point.row.missed, "false": point.row.false},
+            "duplicates": point.row.duplicates,
+            "missed_per_million": point.rate(point.missed),
+            "false_per_million": point.rate(point.false),
+            "bound_per_million": 3 * MILLION / point.pairs if point.pairs else None,
+            **{"worst_missed_depth": point.depth, "worst_false_gap": point.gap},
+            "candidates": point.row.candidates,
+            "distinct_checksums": point.row.distinct_checksums,
+        }
+        for point in study.points
+    )
+
+
+def costs_frame(study: Study) -> pd.DataFrame:
+    return pd.DataFrame(
+        {
+            **{"scene": cost.place.scene, "n": cost.place.n, "backend": cost.backend},
+            **_estimate("deciding_stages", cost.stages),
+            **_estimate("whole", cost.whole),
+            "rounds": cost.whole.rounds,
+            "candidates_per_pair": cost.candidates,
+        }
+        for cost in study.costs
+    )
+
+
+def _estimate(name: str, value: Estimate | None) -> dict[str, Any]:
+    return {
+        f"{name}_median": value.median if value else None,
+        f"{name}_low": value.low if value else None,
+        f"{name}_high": value.high if value else None,
+    }
+
+
+def rounding_frame(study: Study) -> pd.DataFrame:
+    return pd.DataFrame(
+        {
+            **{"scene": group.scene, "n": group.n, "true_pairs": group.truth_pairs},
+            **{"lost": group.rounding.lost, "gained": group.rounding.gained},
+        }
+        for group in study.groups
+        if group.rounding
+    )
+
+
+def text(study: Study, folder: Path) -> str:
+    """Figures that lie in the folder, each with its sentences, and the numbers as tables."""
+    parts = [f"# {tell('en', 'error')}", " ".join(findings_error.origins(study))]
+    for name in plots.ERROR_NAMES:
+        if not (folder / f"{name}.png").exists():
+            continue
+        title = tell("en", f"title_{name}")
+        parts += [f"## {title}", " ".join(findings_error.sentences(study, name))]
+        parts += [tell("en", f"how_{name}"), f"![{title}]({name}.png)"]
+    costs, rounding = page_error.costs(study), page_error.rounding(study)
+    if costs:
+        seen = " ".join(findings_error.prices(study))
+        parts += [f"## {_english(costs.title)}", seen, tell("en", "costs_how"), _table(costs)]
+    if rounding:
+        parts += [f"## {_english(rounding.title)}", tell("en", "rounding_how"), _table(rounding)]
+    return "\n\n".join(parts) + "\n"
+
+
+def _table(table: Table) -> str:
+    header = [_english(name) for name, _ in table.columns]
+    lines = [[_english(cell.text) for cell in line.cells] for line in table.lines]
+    return "\n".join(
+        [markdown.line(header), markdown.rule(len(header)), *map(markdown.line, lines)]
+    )
+
+
+def _english(said: object) -> str:
+    return str(getattr(said, "en", said))
