@@ -59,7 +59,7 @@ template <typename V>
 struct SphereLanes {
   V x, y, z, r;
   template <typename Number>
-  SphereLanes(const Fields<Number>& of, std::uint64_t at)
+  [[gnu::always_inline]] SphereLanes(const Fields<Number>& of, std::uint64_t at)
       : x(of.x + at, stdx::element_aligned),
         y(of.y + at, stdx::element_aligned),
         z(of.z + at, stdx::element_aligned),
@@ -68,7 +68,8 @@ struct SphereLanes {
 
 /// D, as band_distance2().
 template <typename V, typename Number>
-V distance2(const SphereLanes<V>& lanes, const Fields<Number>& ones, std::uint64_t k) {
+[[gnu::always_inline]] inline V distance2(const SphereLanes<V>& lanes, const Fields<Number>& ones,
+                                          std::uint64_t k) {
   const V dx = lanes.x - static_cast<typename V::value_type>(ones.x[k]);
   const V dy = lanes.y - static_cast<typename V::value_type>(ones.y[k]);
   const V dz = lanes.z - static_cast<typename V::value_type>(ones.z[k]);
@@ -77,12 +78,14 @@ V distance2(const SphereLanes<V>& lanes, const Fields<Number>& ones, std::uint64
 
 /// `count` spheres from a place on; they are read however few there are.
 /// may_overlap(ones, k): as the function of that name says for each of them and sphere k of `ones`.
+/// All of it must become part of its callers' loops, whatever a compiler thinks of their size.
 template <PairTest test, std::uint32_t count>
 class Lanes {  // the tests of |p - q|^2 <= (r_p + r_q)^2: the band's, f32, and f64
  public:
-  Lanes(const Fields<float>& of, std::uint64_t at) : lanes_(of, at) {}
+  [[gnu::always_inline]] Lanes(const Fields<float>& of, std::uint64_t at) : lanes_(of, at) {}
 
-  [[nodiscard]] LaneBits may_overlap(const Fields<float>& ones, std::uint64_t k) const {
+  [[nodiscard, gnu::always_inline]] LaneBits may_overlap(const Fields<float>& ones,
+                                                         std::uint64_t k) const {
     const V reach = lanes_.r + static_cast<Number>(ones.r[k]);
     return OCTOCELL_FAULT(lanes_touching_apart, bits_of(distance2(lanes_, ones, k) < reach * reach),
                           bits_of(distance2(lanes_, ones, k) <= reach * reach));
@@ -97,10 +100,11 @@ class Lanes {  // the tests of |p - q|^2 <= (r_p + r_q)^2: the band's, f32, and 
 template <std::uint32_t count>
 class Lanes<PairTest::band_equal, count> {
  public:
-  Lanes(const Fields<float>& of, std::uint64_t at)
+  [[gnu::always_inline]] Lanes(const Fields<float>& of, std::uint64_t at)
       : lanes_(of, at), reach2_((of.r[at] + of.r[at]) * (of.r[at] + of.r[at])) {}
 
-  [[nodiscard]] LaneBits may_overlap(const Fields<float>& ones, std::uint64_t k) const {
+  [[nodiscard, gnu::always_inline]] LaneBits may_overlap(const Fields<float>& ones,
+                                                         std::uint64_t k) const {
     return bits_of(distance2(lanes_, ones, k) <= reach2_);
   }
 
@@ -112,9 +116,10 @@ class Lanes<PairTest::band_equal, count> {
 template <std::uint32_t count>
 class Lanes<PairTest::f32_sqrt, count> {
  public:
-  Lanes(const Fields<float>& of, std::uint64_t at) : lanes_(of, at) {}
+  [[gnu::always_inline]] Lanes(const Fields<float>& of, std::uint64_t at) : lanes_(of, at) {}
 
-  [[nodiscard]] LaneBits may_overlap(const Fields<float>& ones, std::uint64_t k) const {
+  [[nodiscard, gnu::always_inline]] LaneBits may_overlap(const Fields<float>& ones,
+                                                         std::uint64_t k) const {
     return bits_of(stdx::sqrt(distance2(lanes_, ones, k)) <= lanes_.r + ones.r[k]);
   }
 
@@ -125,7 +130,7 @@ class Lanes<PairTest::f32_sqrt, count> {
 template <std::uint32_t count>
 class Lanes<PairTest::boxes, count> {
  public:
-  Lanes(const Fields<float>& of, std::uint64_t at) {
+  [[gnu::always_inline]] Lanes(const Fields<float>& of, std::uint64_t at) {
     const float* const centres[] = {of.x, of.y, of.z};
     const Floats r(of.r + at, stdx::element_aligned);
     for (int a = 0; a < 3; ++a) {
@@ -135,7 +140,8 @@ class Lanes<PairTest::boxes, count> {
     }
   }
 
-  [[nodiscard]] LaneBits may_overlap(const Fields<float>& ones, std::uint64_t k) const {
+  [[nodiscard, gnu::always_inline]] LaneBits may_overlap(const Fields<float>& ones,
+                                                         std::uint64_t k) const {
     const float centre[] = {ones.x[k], ones.y[k], ones.z[k]};
     const float r = ones.r[k];
     auto meet = low_[0] <= centre[0] + r && centre[0] - r <= high_[0];
@@ -153,10 +159,11 @@ class Lanes<PairTest::boxes, count> {
 template <std::uint32_t count>
 class Lanes<PairTest::gram, count> {
  public:
-  Lanes(const Fields<float>& of, std::uint64_t at)
+  [[gnu::always_inline]] Lanes(const Fields<float>& of, std::uint64_t at)
       : lanes_(of, at), norm2_(lanes_.x * lanes_.x + lanes_.y * lanes_.y + lanes_.z * lanes_.z) {}
 
-  [[nodiscard]] LaneBits may_overlap(const Fields<float>& ones, std::uint64_t k) const {
+  [[nodiscard, gnu::always_inline]] LaneBits may_overlap(const Fields<float>& ones,
+                                                         std::uint64_t k) const {
     const Sphere one = {ones.x[k], ones.y[k], ones.z[k], ones.r[k]};
     const Floats product = lanes_.x * one.x + lanes_.y * one.y + lanes_.z * one.z;
     const Floats reach = lanes_.r + one.r;
@@ -173,9 +180,11 @@ class Lanes<PairTest::gram, count> {
 template <std::uint32_t count, bool rounded_down>
 class Q16Lanes {
  public:
-  Q16Lanes(const Fields<std::uint16_t>& of, std::uint64_t at) : lanes_(of, at) {}
+  [[gnu::always_inline]] Q16Lanes(const Fields<std::uint16_t>& of, std::uint64_t at)
+      : lanes_(of, at) {}
 
-  [[nodiscard]] LaneBits may_overlap(const Fields<std::uint16_t>& ones, std::uint64_t k) const {
+  [[nodiscard, gnu::always_inline]] LaneBits may_overlap(const Fields<std::uint16_t>& ones,
+                                                         std::uint64_t k) const {
     const Integers reach = lanes_.r + static_cast<std::int32_t>(ones.r[k]);
     return bits_of(square_of_distance(lanes_.x, ones.x[k]) +
                        square_of_distance(lanes_.y, ones.y[k]) +
@@ -213,10 +222,11 @@ class Lanes<PairTest::q16_exact, count> : public Q16Lanes<count, true> {
 template <std::uint32_t count>
 class Lanes<PairTest::f16, count> {
  public:
-  Lanes(const Fields<std::uint16_t>& of, std::uint64_t at)
+  [[gnu::always_inline]] Lanes(const Fields<std::uint16_t>& of, std::uint64_t at)
       : x_(load(of.x + at)), y_(load(of.y + at)), z_(load(of.z + at)), r_(load(of.r + at)) {}
 
-  [[nodiscard]] LaneBits may_overlap(const Fields<std::uint16_t>& ones, std::uint64_t k) const {
+  [[nodiscard, gnu::always_inline]] LaneBits may_overlap(const Fields<std::uint16_t>& ones,
+                                                         std::uint64_t k) const {
     const Floats dx = difference(x_, f16::to_float(ones.x[k]));
     const Floats dy = difference(y_, f16::to_float(ones.y[k]));
     const Floats dz = difference(z_, f16::to_float(ones.z[k]));

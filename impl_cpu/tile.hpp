@@ -39,7 +39,8 @@ struct Tile {
   [[nodiscard]] std::uint32_t id(std::size_t i) const { return object[i] & kIdMask; }
 
   /// Which of spheres j to j + kLanes may overlap sphere i of `rows`: one bit each.
-  [[nodiscard]] LaneBits may_overlap(const Tile& rows, std::size_t i, std::size_t j) const {
+  [[nodiscard, gnu::always_inline]] LaneBits may_overlap(const Tile& rows, std::size_t i,
+                                                         std::size_t j) const {
     const LaneBits found = Lanes<test, kLanes>(fields(), j).may_overlap(rows.fields(), i);
     return found & first_bits(static_cast<std::uint32_t>(size - j));
   }

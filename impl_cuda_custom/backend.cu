@@ -147,7 +147,6 @@ class CudaBackend final : public GridPairFinder {
  private:
   /// Says what is needed before anything is given up for it.
   void make_room() {
-    coherence_.choose_movers(w_);
     std::uint64_t more = 0;
     w_.for_each_array([&](auto& array, std::uint64_t elements) {
       if (elements > array.capacity()) more += (elements - array.capacity()) * array.kElementBytes;

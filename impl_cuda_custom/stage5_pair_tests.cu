@@ -194,7 +194,6 @@ void pair_tests(Workspace& w) {
   if (w.plan.method == Method::half_shell) {
     half_shell::pair_tests(w);
     if (w.allowed().near_pairs) coherence::test_near_pairs(w);
-    if (w.allowed().movers) coherence::test_movers(w);
     return;
   }
   const std::uint64_t most_entries = w.brute_force() ? w.sphere_count() : w.plan.capacity.ids;

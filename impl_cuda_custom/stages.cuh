@@ -108,9 +108,6 @@ struct Workspace {
   cuda::DeviceArray<Sphere> copy;                // [spheres] of the last frame, or of none
   cuda::DeviceArray<Sphere> searched;            // [spheres] in the last search
   cuda::DeviceArray<Pair> near_pairs;            // [plan.capacity.pairs] of the last search
-  std::uint32_t mover_room = 0;                  // spheres that are not static, where they are few
-  cuda::DeviceArray<std::uint32_t> movers;       // what is known of them; see movers_of()
-  cuda::DeviceArray<std::uint64_t> mover_heads;  // [buckets]
 
   [[nodiscard]] std::uint64_t sphere_count() const { return scene.spheres.size(); }
   [[nodiscard]] bool brute_force() const { return plan.method == Method::brute_force; }
@@ -127,15 +124,12 @@ struct Workspace {
   [[nodiscard]] coherence::Allowed allowed() const {
     const bool any = plan.moving && half_shell() && !plan.count_only &&
                      sphere_count() == plan.facts.sphere_count;
-    const bool has_movers = any && mover_room > 0;  // what they spare is worth more
-    const bool has_skin = any && !has_movers && plan.skin.growth > 0.0F;
+    const bool has_skin = any && plan.skin.growth > 0.0F;
     return {.unchanged = any && plan.allowed.has(Skip::unchanged),
             .near_pairs = has_skin,
-            .movers = has_movers,
             .near_room = has_skin ? plan.capacity.pairs : 0};
   }
   [[nodiscard]] bool coherent() const { return allowed().any(); }
-  [[nodiscard]] bool keeps_searched() const { return allowed().near_pairs || allowed().movers; }
   /// The cells of this frame's search, and what goes with them.
   [[nodiscard]] bool grows() const { return growth > 0.0F; }
   [[nodiscard]] const Levels& levels() const { return grows() ? plan.skin.levels : plan.levels; }
@@ -175,10 +169,8 @@ struct Workspace {
     visit(kept, coherent() ? 1 : 0);
     visit(sample, coherent() ? coherence::kSampled : 0);
     visit(copy, allowed().unchanged ? sphere_count() : 0);
-    visit(searched, keeps_searched() ? sphere_count() : 0);
+    visit(searched, allowed().near_pairs ? sphere_count() : 0);
     visit(near_pairs, allowed().near_room);
-    visit(movers, allowed().movers ? 3 * std::uint64_t{mover_room} : 0);
-    visit(mover_heads, allowed().movers ? std::bit_ceil(4 * std::uint64_t{mover_room}) : 0);
   }
 };
 

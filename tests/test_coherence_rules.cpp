@@ -85,10 +85,8 @@ class Model {
 
 TEST(CoherenceRules, TakeOverOnlyWhatIsProved) {
   constexpr std::uint64_t kRoom = 1'000'000;
-  const Allowed choices[] = {{true, true, false, kRoom},
-                             {true, false, false, 0},
-                             {false, true, false, kRoom},
-                             {true, true, false, 2000}};
+  const Allowed choices[] = {
+      {true, true, kRoom}, {true, false, 0}, {false, true, kRoom}, {true, true, 2000}};
   int served[4] = {};
   for (const Sequence& sequence : sequences()) {
     for (const Allowed& allowed : choices) {
@@ -107,11 +105,11 @@ TEST(CoherenceRules, TakeOverOnlyWhatIsProved) {
   EXPECT_GT(served[static_cast<std::size_t>(Course::near_pairs)], 100);
 }
 
-constexpr Allowed kAll = {true, true, true, 100};
+constexpr Allowed kAll = {true, true, 100};
 Kept all_kept() {
   Kept kept = {};
   kept.frames = 7;
-  kept.copy_holds = kept.list_made = kept.order_made = 1;
+  kept.copy_holds = kept.list_made = 1;
   kept.growth = 0.5F;
   kept.near_pairs = 100;
   return kept;
@@ -119,7 +117,7 @@ Kept all_kept() {
 
 TEST(CoherenceRules, AFrameThatFailedIsNoGround) {
   const Trial trial = trial_of(all_kept(), false, kAll);
-  EXPECT_FALSE(trial.compare || trial.skin || trial.movers);
+  EXPECT_FALSE(trial.compare || trial.skin);
   EXPECT_EQ(course_of(trial, 0), Course::search);
 }
 
@@ -132,9 +130,9 @@ TEST(CoherenceRules, AListThatIsTooShortIsNoGround) {
 
 TEST(CoherenceRules, NothingIsTriedThatIsForbiddenOrUnknown) {
   const Trial forbidden = trial_of(all_kept(), true, {});
-  EXPECT_FALSE(forbidden.compare || forbidden.skin || forbidden.movers || forbidden.keep);
+  EXPECT_FALSE(forbidden.compare || forbidden.skin || forbidden.keep);
   const Trial unknown = trial_of({}, true, kAll);
-  EXPECT_FALSE(unknown.compare || unknown.skin || unknown.movers);
+  EXPECT_FALSE(unknown.compare || unknown.skin);
   EXPECT_TRUE(unknown.keep);
 }
 
@@ -149,9 +147,8 @@ TEST(CoherenceRules, ACopyIsMadeOnceNothingMoves) {
 TEST(CoherenceRules, WhatIsSeenDecidesTheCourse) {
   const Trial trial = trial_of(all_kept(), true, kAll);
   EXPECT_EQ(course_of(trial, 0), Course::unchanged);
-  EXPECT_EQ(course_of(trial, kDiffers), Course::movers);
-  EXPECT_EQ(course_of(trial, kDiffers | kNotMovers), Course::near_pairs);
-  EXPECT_EQ(course_of(trial, kDiffers | kNotMovers | kLeft), Course::search);
+  EXPECT_EQ(course_of(trial, kDiffers), Course::near_pairs);
+  EXPECT_EQ(course_of(trial, kDiffers | kLeft), Course::search);
 }
 
 TEST(CoherenceRules, AZeroOfAnotherSignIsAnotherSphere) {

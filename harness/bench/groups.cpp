@@ -205,12 +205,22 @@ std::vector<Group> error_groups() {
       {"extreme", "shifted:n=100000,offset=1e7"},
       {"extreme", "giant:n=100000"},
       {"extreme", "poly:n=100000,ratio=1e6"}};
+  constexpr std::pair<std::string_view, std::string_view> kLarge[] = {
+      {"random", "gas:n=1000000"},
+      {"random", "dense:n=1000000"},
+      {"random", "poly:n=1000000"},
+      {"random", "cluster:n=1000000"},
+      {"structured", "lattice:n=1000000,shuffle=1"}};
   std::vector<Group> groups;
   for (const auto& [scene_class, scene] : kClassesAndScenes) {
     groups.push_back(special(scene, kRounds, Rows::error));
     groups.back().scene_class = scene_class;
     groups.back().round_input = true;
     groups.back().baseline_rounds = kBaselineRounds;
+  }
+  for (const auto& [scene_class, scene] : kLarge) {
+    groups.push_back(special(scene, kRounds, Rows::precision));
+    groups.back().scene_class = scene_class;
   }
   return groups;
 }

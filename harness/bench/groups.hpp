@@ -21,7 +21,8 @@ enum class Rows : std::uint8_t {
   every,           // those that look at nearly all pairs, too
   frames,          // the plan on a GPU, and the same with every frame searched anew
   ablation,        // the plan with and without each skip, and each method that can be forced
-  error,           // our plans, each library's fastest, and those that can lose pairs
+  precision,       // our plans with each predicate
+  error,           // the same, each library's fastest, and those that can lose pairs
 };
 
 /// Rows that are interleaved with each other: one scene at one size.

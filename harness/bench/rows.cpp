@@ -32,6 +32,7 @@ bool has_time_for(const Implementation& how, Rows rows) {
   if (rows == Rows::device_default || rows == Rows::frames) return on_device && is_default;
   if (rows == Rows::ablation) return !how.is_baseline() && !how.exhibit();
   if (rows == Rows::device) return on_device;
+  if (rows == Rows::precision) return is_default;
   if (rows == Rows::error) {
     const bool of_a_library = is_among(kFastBaselines) || how.has_known_faults();
     return how.is_baseline() ? of_a_library : is_default;
@@ -82,10 +83,12 @@ void add_ablation(std::vector<RowSpec>& rows, const RowSpec& planned) {
   }
 }
 
+bool has_predicates(Rows rows) { return rows == Rows::error || rows == Rows::precision; }
+
 /// What may answer at all.
 std::vector<Implementation> candidates_for(Rows rows, std::string_view backend) {
   std::vector<Implementation> all = implementations(backend);
-  if (rows == Rows::error) std::ranges::copy(other_predicates(backend), std::back_inserter(all));
+  if (has_predicates(rows)) std::ranges::copy(other_predicates(backend), std::back_inserter(all));
   return all;
 }
 
@@ -121,7 +124,7 @@ std::vector<RowSpec> rows_of(const Group& group, std::string_view backend,
       if (how.planned()) add_ablation(rows, RowSpec(rows.back()));
       continue;
     }
-    if (group.rows == Rows::error) {
+    if (has_predicates(group.rows)) {
       rows.push_back({how, 1, Run::warm});
       const bool exact = how.planned() && how.predicate == Predicate::exact;
       if (exact) add_without(rows, RowSpec(rows.back()), Skip::doubts);

@@ -125,7 +125,7 @@ double estimate_cost(const SceneStats& stats, const Plan& plan, const Costs& cos
     return work.cost_ns + work.ids * more_passes * costs.per_id_and_pass;
   }
   const auto count = static_cast<double>(stats.facts.sphere_count);
-  return count * count / 2.0 * costs.per_pair;
+  return count * count / 2.0 * costs.per_pair + count * costs.per_row;
 }
 
 }  // namespace octocell

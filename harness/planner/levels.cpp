@@ -274,6 +274,15 @@ class LevelSearch {
   std::map<Octaves, Known> known_;
 };
 
+/// Few spheres lie in the nearest caches, many in none: in between the logarithm decides.
+double share_of_caches(std::uint64_t spheres, double in_cache) {
+  constexpr double kFew = 2.0;  // powers of ten
+  constexpr double kMany = 5.0;
+  const double size = std::log10(static_cast<double>(std::max<std::uint64_t>(spheres, 1)));
+  const double between = std::clamp((size - kFew) / (kMany - kFew), 0.0, 1.0);
+  return in_cache + (1.0 - in_cache) * between;
+}
+
 }  // namespace
 
 int key_bits_of(const Levels& levels) {
@@ -302,7 +311,7 @@ double estimate_cost(const SceneStats& stats, const Levels& levels, int key_bits
                          costs.shell);
     }
   }
-  return sum;
+  return sum * share_of_caches(stats.facts.sphere_count, costs.shell.in_cache);
 }
 
 Levels cheapest_levels(const SceneStats& stats, Skips allowed, const Costs& costs,

@@ -20,6 +20,7 @@ struct ShellCosts {
   double per_id = 0.0;             // that there may be, with or without a sphere; 8 a sphere count
   double per_pass = 1.5;           // of a sphere in the sort, by one digit
   double per_wrapped = 0.0;        // of a sphere in a level with an axis that wraps, besides
+  double in_cache = 0.2;           // of all this for a hundred spheres; 1 for 1e5 and more
   bool finer_probe = false;        // the finer spheres look for the coarser ones
   int sides_per_doubling = 1;      // that are tried
   std::uint32_t most_columns = 8;  // into which a cell is cut
@@ -31,7 +32,8 @@ struct Costs {
   double per_id = 20.0;          // to make it, and to look at it in stages 4 and 5
   double per_id_and_pass = 1.5;  // to sort it by one digit
   double per_candidate = 0.4;
-  double per_pair = 0.19;  // of brute_force
+  double per_pair = 0.2;  // of brute_force
+  double per_row = 5.0;   // of brute_force: of a sphere, which meets all behind it
   int digit_bits = 8;      // the most that one pass sorts by
   ShellCosts shell = {};
 };

@@ -23,6 +23,7 @@ constexpr Costs calibrated(Costs costs, const Calibration& factors) {
   costs.per_id *= factors.home_phantom;
   costs.per_candidate *= factors.home_phantom;
   costs.per_pair *= factors.brute_force;
+  costs.per_row *= factors.brute_force;
   ShellCosts& shell = costs.shell;
   for (double* cost : {&shell.per_sphere, &shell.per_row, &shell.per_window, &shell.per_candidate,
                        &shell.per_probe, &shell.per_id, &shell.per_wrapped}) {

@@ -22,6 +22,7 @@ namespace {
 constexpr Costs kDeviceCosts = {.per_id = 0.042,
                                 .per_id_and_pass = 0.018,
                                 .per_candidate = 0.0037,
+                                .per_row = 0.0,
                                 .digit_bits = 10,
                                 .shell = {.per_sphere = 0.09,
                                           .per_row = 0.0,
@@ -31,6 +32,7 @@ constexpr Costs kDeviceCosts = {.per_id = 0.042,
                                           .per_id = 0.0045,
                                           .per_pass = 0.006,
                                           .per_wrapped = 0.05,
+                                          .in_cache = 1.0,
                                           .finer_probe = true,
                                           .sides_per_doubling = 4,
                                           .most_columns = 1}};
@@ -40,11 +42,13 @@ constexpr Costs kThrustCosts = {.per_id = 46.0,
                                 .per_id_and_pass = 3.5,
                                 .per_candidate = 0.9,
                                 .per_pair = 1.2,
+                                .per_row = 0.0,
                                 .shell = {.per_sphere = 210.0,
                                           .per_row = 700.0,
                                           .per_window = 60.0,
                                           .per_candidate = 2.3,
-                                          .per_probe = 470.0}};
+                                          .per_probe = 470.0,
+                                          .in_cache = 1.0}};
 
 /// Thrust's kernels take longer than ours, most of all those that search for rows: on the same
 /// machine, a million spheres.

@@ -3,17 +3,13 @@
 
 #include <algorithm>
 
-#include "harness/interface/flags.hpp"
-#include "impl_cuda_custom/half_shell/neighbours.cuh"
+#include "harness/interface/cuda.cuh"
 
 namespace octocell::cuda_custom::coherence {
 namespace {
 
 /// On an H100, a gas of a million spheres.
 constexpr SkinCosts kSkinCosts = {.list = 1.8F, .fetch = 0.3F, .near_pairs = 0.06F};
-
-/// Movers pay where at most one in so many is not static.
-constexpr std::uint64_t kOneIn = 3;
 
 Kept read(const Workspace& w) {
   Kept kept;
@@ -35,9 +31,6 @@ void Coherence::forget(Workspace& w) {
   has_list_ = false;
   if (w.kept.data() == nullptr) return;
   cuda::check(cudaMemsetAsync(w.kept.data(), 0, sizeof(Kept), w.stream));
-  if (w.mover_heads.data() == nullptr) return;
-  const std::uint64_t bytes = w.mover_heads.capacity() * sizeof(std::uint64_t);
-  cuda::check(cudaMemsetAsync(w.mover_heads.data(), 0, bytes, w.stream));
 }
 
 bool Coherence::flags_differ(Workspace& w) {
@@ -45,16 +38,7 @@ bool Coherence::flags_differ(Workspace& w) {
   if (spheres_ == scene.spheres.size() && std::ranges::equal(flags_, scene.flags)) return false;
   spheres_ = scene.spheres.size();
   flags_.assign(scene.flags.begin(), scene.flags.end());
-  not_static_ = static_cast<std::uint32_t>(
-      std::ranges::count_if(flags_, [](Flags f) { return !is_static(f); }));
   return true;
-}
-
-void Coherence::choose_movers(Workspace& w) const {
-  const Levels& levels = w.plan.levels;
-  const bool pays = w.plan.allowed.has(Skip::few_movers) && levels.count == 1 &&
-                    half_shell::is_open(levels.level[0]) && not_static_ <= flags_.size() / kOneIn;
-  w.mover_room = pays ? not_static_ : 0;
 }
 
 bool Coherence::looked_at_too_many(Workspace& w, const State& state) {

@@ -20,8 +20,6 @@ inline std::optional<Skip> skip_of(Course course) {
       return Skip::unchanged;
     case Course::near_pairs:
       return Skip::skin;
-    case Course::movers:
-      return Skip::few_movers;
   }
   return std::nullopt;
 }
@@ -32,8 +30,6 @@ class Coherence {
   /// from. True: they have changed, or the number of spheres has. Then nothing that was known
   /// holds, and other arrays may be needed.
   bool flags_differ(Workspace& w);
-  /// Which arrays the plan and those flags need: to be called before they are allocated.
-  void choose_movers(Workspace& w) const;
   /// Nothing is known from here on: the arrays are new, or mean something else.
   void forget(Workspace& w);
   /// The same, and how fast spheres move is not known either.
@@ -50,7 +46,6 @@ class Coherence {
   void note_course(const Workspace& w, const State& state, const Kept& kept);
 
   std::vector<Flags> flags_;  // of the scene before
-  std::uint32_t not_static_ = 0;
   std::uint64_t spheres_ = 0;
   std::uint64_t frames_ = 0;  // learnt from
   bool has_list_ = false;

@@ -10,9 +10,7 @@ namespace octocell::cuda_custom::coherence {
 /// Stage 1 of a frame that may take over something: decides its course, and opens State for it.
 void open_frame(Workspace& w);
 
-/// Stage 5 of frames that are not searched: the near pairs, tested again; or movers against all. Of
-/// a search the second lists the movers.
+/// Stage 5 of frames that are not searched: the near pairs, tested again.
 void test_near_pairs(Workspace& w);
-void test_movers(Workspace& w);
 
 }  // namespace octocell::cuda_custom::coherence

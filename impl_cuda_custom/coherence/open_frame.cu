@@ -2,10 +2,8 @@
 // The first kernel of a frame: what may be taken over from the last? Every sphere is held against
 // the copy, or against where it was in the last search, as long as that may still prove something;
 // the block that ends last decides. With nothing to prove no sphere is read.
-#include "harness/interface/flags.hpp"
 #include "harness/interface/pair.hpp"
 #include "impl_cuda_custom/coherence/frames.cuh"
-#include "impl_cuda_custom/coherence/movers.cuh"
 #include "impl_cuda_custom/device.cuh"
 #include "impl_cuda_custom/radix_sort/digit_histograms.cuh"
 #include "impl_cuda_custom/sphere_facts.cuh"
@@ -26,8 +24,6 @@ struct Job {
   Sphere* copy;
   const Sphere* searched;
   Sphere* sample;
-  const Flags* flags;
-  Movers movers;
   PlanFacts facts;
   Allowed allowed;
   Capacities room;
@@ -99,12 +95,9 @@ __device__ std::uint32_t look_at(const Job& job, const Trial& trial, bool compar
                                  std::uint32_t i, const Sphere& now, const Sphere& before) {
   if (trial.keep) store_sphere(job.copy, i, now);
   if (compares && same_bits(now, before)) return 0;
-  if (!trial.skin && !trial.movers) return kDiffers;
+  if (!trial.skin) return kDiffers;
   const Sphere then = compares ? load_sphere(job.searched, i) : before;
-  std::uint32_t found = kDiffers;
-  if (trial.skin && !is_within_skin(job, then, now, growth)) found |= kLeft;
-  if (trial.movers && !same_bits(now, then) && is_static(job.flags[i])) found |= kNotMovers;
-  return found;
+  return is_within_skin(job, then, now, growth) ? kDiffers : kDiffers | kLeft;
 }
 
 /// Returns what was found; the same for all lanes of a warp. A warp that has seen enough to rule
@@ -114,11 +107,9 @@ __device__ std::uint32_t look_at_spheres(const Job& job, const Trial& trial, flo
   for (std::uint32_t begin = blockIdx.x * kPerBlock; begin < job.count;
        begin += gridDim.x * kPerBlock) {
     const bool compares = trial.compare && (found & kDiffers) == 0;
-    const bool proves = compares || (trial.skin && (found & kLeft) == 0) ||
-                        (trial.movers && (found & kNotMovers) == 0);
+    const bool proves = compares || (trial.skin && (found & kLeft) == 0);
     if (!proves && !trial.keep) break;
-    const bool searched = trial.skin || trial.movers;
-    const Sphere* const others = compares ? job.copy : searched ? job.searched : job.spheres;
+    const Sphere* const others = compares ? job.copy : trial.skin ? job.searched : job.spheres;
     Sphere now[kAtOnce];
     Sphere before[kAtOnce];
 #pragma unroll
@@ -134,24 +125,6 @@ __device__ std::uint32_t look_at_spheres(const Job& job, const Trial& trial, flo
       if (i < job.count) here |= look_at(job, trial, compares, growth, i, now[k], before[k]);
     }
     found |= or_over_warp(here);
-  }
-  return found;
-}
-
-/// Movers are put where test_movers() looks for them, and held against the plan's facts, as a
-/// search would.
-__device__ std::uint32_t place_movers(const Job& job) {
-  const std::uint32_t count = job.kept->mover_count;
-  const std::uint64_t frame = job.kept->frames;
-  std::uint32_t found = 0;
-  for (std::uint32_t m = blockIdx.x * kBlockThreads + threadIdx.x; m < count;
-       m += gridDim.x * kBlockThreads) {
-    const Sphere now = load_sphere(job.spheres, job.movers.ids[m]);
-    if (violation_of(now, job.facts) != 0) {
-      found = kNotMovers;
-    } else {
-      job.movers.place(m, now, frame);
-    }
   }
   return found;
 }
@@ -184,8 +157,7 @@ __global__ void __launch_bounds__(kBlockThreads, kBlocksAtOnce)
   }
   const Trial trial = trial_of(*job.kept, job.is_complete(*job.state), job.allowed);
   if (blockIdx.x == 0) observe_sample(job);
-  std::uint32_t found = look_at_spheres(job, trial, job.kept->growth);
-  if (trial.movers) found = or_over_warp(found | place_movers(job));
+  const std::uint32_t found = look_at_spheres(job, trial, job.kept->growth);
   if (found != 0 && lane() == 0) atomicOr(&job.kept->found, found);
   const bool is_last = digit_histograms::is_last_block(&job.kept->blocks_done);
   if (is_last && threadIdx.x == 0) decide(job, trial);
@@ -206,8 +178,6 @@ void open_frame(Workspace& w) {
                    .copy = w.copy.data(),
                    .searched = w.searched.data(),
                    .sample = w.sample.data(),
-                   .flags = w.flags.data(),
-                   .movers = movers_of(w),
                    .facts = w.plan.facts,
                    .allowed = w.allowed(),
                    .room = w.plan.capacity,

@@ -15,20 +15,17 @@ enum class Course : std::uint32_t {
   search,      // everything
   unchanged,   // no sphere has changed: the pairs stand
   near_pairs,  // no sphere has left the skin: pairs are among the near ones
-  movers,      // no static sphere has changed: pairs have a sphere that is not static
 };
 
 /// What is known of the frames before. All zero: nothing.
 struct Kept {
-  std::uint64_t frames;       // since then
-  std::uint32_t copy_holds;   // the copy equals the spheres of the last frame
-  std::uint32_t list_made;    // near pairs were listed in the last search, with
-  float growth;               // as much added to each radius
-  std::uint64_t near_pairs;   // listed; counts on past the end
-  std::uint32_t order_made;   // the last search left its order, and a list of
-  std::uint32_t mover_count;  // spheres that are not static
-  std::uint32_t still;        // how many of the sample had not changed in the last frame
-  float farthest;             // that one of the sample had moved
+  std::uint64_t frames;      // since then
+  std::uint32_t copy_holds;  // the copy equals the spheres of the last frame
+  std::uint32_t list_made;   // near pairs were listed in the last search, with
+  float growth;              // as much added to each radius
+  std::uint64_t near_pairs;  // listed; counts on past the end
+  std::uint32_t still;       // how many of the sample had not changed in the last frame
+  float farthest;            // that one of the sample had moved
   // In a frame, until its first kernel ends:
   std::uint32_t found;         // bits, see below
   std::uint32_t blocks_done;   // of that kernel
@@ -37,9 +34,8 @@ struct Kept {
 };
 
 /// What has been seen of the spheres.
-inline constexpr std::uint32_t kDiffers = 1;    // from the copy
-inline constexpr std::uint32_t kLeft = 2;       // the skin, or the plan's facts
-inline constexpr std::uint32_t kNotMovers = 4;  // a static one moved, or a mover left the facts
+inline constexpr std::uint32_t kDiffers = 1;  // from the copy
+inline constexpr std::uint32_t kLeft = 2;     // the skin, or the plan's facts
 
 /// Spheres whose steps say how all move: a guess, on which time depends and nothing else.
 inline constexpr std::uint32_t kSampled = 256;
@@ -48,16 +44,14 @@ inline constexpr std::uint32_t kSampled = 256;
 struct Allowed {
   bool unchanged;
   bool near_pairs;
-  bool movers;
   std::uint64_t near_room;
-  [[nodiscard]] OCTOCELL_HD bool any() const { return unchanged || near_pairs || movers; }
+  [[nodiscard]] OCTOCELL_HD bool any() const { return unchanged || near_pairs; }
 };
 
 /// What a frame tries, before it has seen a sphere.
 struct Trial {
   bool compare;  // with the copy
   bool skin;     // with where spheres were when the near pairs were listed
-  bool movers;   // the static ones with where they were when they were put in order
   bool keep;     // a copy is made, for the next frame
 };
 
@@ -70,14 +64,12 @@ OCTOCELL_HD Trial trial_of(const Kept& kept, bool complete, const Allowed& allow
   trial.compare = complete && allowed.unchanged && kept.copy_holds != 0;
   trial.skin =
       complete && allowed.near_pairs && kept.list_made != 0 && kept.near_pairs <= allowed.near_room;
-  trial.movers = complete && allowed.movers && kept.order_made != 0;
   trial.keep = allowed.unchanged && !trial.compare && still;
   return trial;
 }
 
 OCTOCELL_HD Course course_of(const Trial& trial, std::uint32_t found) {
   if (trial.compare && (found & kDiffers) == 0) return Course::unchanged;
-  if (trial.movers && (found & kNotMovers) == 0) return Course::movers;
   if (trial.skin && (found & kLeft) == 0) return Course::near_pairs;
   return Course::search;
 }
@@ -92,8 +84,6 @@ OCTOCELL_HD Kept after(Kept kept, const Trial& trial, Course course, const Allow
     kept.list_made = allowed.near_pairs && growth > 0.0F ? 1 : 0;
     kept.growth = growth;
     kept.near_pairs = 0;
-    kept.order_made = allowed.movers ? 1 : 0;
-    kept.mover_count = 0;
   }
   kept.still = kept.frames == 1 ? 0 : kept.still_now;
   memcpy(&kept.farthest, &kept.farthest_now, sizeof kept.farthest);

@@ -82,7 +82,7 @@ inline void cell_ids(Workspace& w) {
                       .levels = w.levels(),
                       .may_leave = w.coherent(),
                       .growth = w.growth,
-                      .searched = w.keeps_searched() ? w.searched.data() : nullptr,
+                      .searched = w.allowed().near_pairs ? w.searched.data() : nullptr,
                       .cell_ids = w.side(0).keys,
                       .objects = w.side(0).values,
                       .state = state,
