@@ -63,7 +63,8 @@ std::uint64_t pairs_in_blocks(const Level& level, const std::vector<Sphere>& sam
 /// That is small, so it is asked for blocks of cells, the smallest in which enough of it meet.
 double neighbours_in_cell(const Level& level, const Members& members) {
   constexpr std::uint64_t kEnough = 100;
-  const double evenly = members.count / (static_cast<double>(level.ids) / level.reach);
+  const double cells_there = std::max(static_cast<double>(level.ids) / level.reach, 1.0);
+  const double evenly = members.count / cells_there;
   const auto size = static_cast<double>(members.sample.size());
   const Grid& grid = level.grid;
   const std::uint32_t cells[3] = {grid.cell_count[0] / level.reach + 1, grid.cell_count[1],

@@ -20,7 +20,7 @@ struct ShellCosts {
   double per_id = 0.0;             // that there may be, with or without a sphere; 8 a sphere count
   double per_pass = 1.5;           // of a sphere in the sort, by one digit
   double per_wrapped = 0.0;        // of a sphere in a level with an axis that wraps, besides
-  double in_cache = 0.2;           // of all this for a hundred spheres; 1 for 1e5 and more
+  double in_cache = 0.7;           // of all this for a hundred spheres; 1 for 1e5 and more
   bool finer_probe = false;        // the finer spheres look for the coarser ones
   int sides_per_doubling = 1;      // that are tried
   std::uint32_t most_columns = 8;  // into which a cell is cut

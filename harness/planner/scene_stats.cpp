@@ -78,7 +78,8 @@ std::vector<RadiusClass> classify_radii(SceneView scene, const PlanFacts& facts)
   return found;
 }
 
-/// Chosen by a hash, so that no order of the input (rows of a lattice) repeats in the sample.
+/// One of each part of the input, so that none is taken twice (it would be its own neighbour),
+/// chosen by a hash, so that no order of the input (rows of a lattice) repeats in the sample.
 std::vector<Sphere> take_sample(SceneView scene) {
   const std::span<const Sphere> spheres = scene.spheres;
   const std::size_t size = std::clamp(spheres.size() / 16, kSmallestSample, kSampleSize);
@@ -86,7 +87,9 @@ std::vector<Sphere> take_sample(SceneView scene) {
   std::vector<Sphere> sample;
   sample.reserve(size);
   for (std::uint32_t k = 0; k < size; ++k) {
-    sample.push_back(spheres[mix_pair({0, k}) % spheres.size()]);
+    const std::size_t begin = k * spheres.size() / size;
+    const std::size_t end = (k + 1) * spheres.size() / size;
+    sample.push_back(spheres[begin + mix_pair({0, k}) % (end - begin)]);
   }
   return sample;
 }
