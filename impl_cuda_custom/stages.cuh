@@ -42,7 +42,9 @@ struct State {
   std::uint32_t violations = 0;
   std::uint32_t blocks_done = 0;  // of stage 2
   coherence::Course course = coherence::Course::search;
+  std::uint32_t unused = 0;  // fills the last word, so that a copy of it all reads nothing unset
 };
+static_assert(sizeof(State) == 9 * 8 + 4 * 4);
 
 /// A sphere that meets more cells than this has its phantoms written by many blocks, not by one.
 inline constexpr std::uint64_t kWidePhantoms = 2048;

@@ -26,7 +26,7 @@ MEANINGS = {
     FLOAT32: "float32, D ≤ s²",
     "f32_sqrt": "float32, √D ≤ s",
     "q16_cell": "16-bit positions in the cell",
-    "gram_f32": "float32, |p|² + |q|² − 2pq in the cell",
+    "gram_f32": "float32, |p|² + |q|² − 2pq from the origin",
     "f16_cell": "float16 positions in the cell",
     "aabb_only": "bounding boxes alone",
 }
