@@ -112,6 +112,10 @@ def _limits(study: Study, mirror: Mirror) -> tuple[float, float] | None:
     )
 
 
+def _short_tick(value: float, _: object = None) -> str:
+    return words.size(round(value)) if value >= 1000 else words.tick(value)
+
+
 def _scales(
     study: Study, axes: Any, limits: tuple[float, float], mirror: Mirror, lanes: list[str]
 ) -> None:
@@ -125,14 +129,14 @@ def _scales(
         ax.yaxis.set_minor_locator(NullLocator())
         ax.yaxis.set_major_formatter(FuncFormatter(lambda y, _: mirror.tick(y)))
     for ax in axes[0]:  # above it the fronts' labels
-        ax.set_ylim(limits[0], limits[1] * (limits[1] / limits[0]) ** 0.2)
+        ax.set_ylim(limits[0], limits[1] * (limits[1] / limits[0]) ** 0.3)
     for ax in axes[2]:
         ax.set_ylim(limits[1], limits[0])
     for ax in axes.flat:
         ax.set_xscale("log")
         ax.set_xlim(min(every) / 2.2, max(every) * 1.8)
         ax.xaxis.set_major_locator(LogLocator(numticks=8))
-        ax.xaxis.set_major_formatter(FuncFormatter(words.tick))
+        ax.xaxis.set_major_formatter(FuncFormatter(_short_tick))
         ax.xaxis.set_minor_formatter(NullFormatter())
         ax.tick_params(length=0)
     head = _HEAD / _LANE
@@ -175,7 +179,7 @@ class _Facet:
 
     def draw(self) -> None:
         places = [group.scene for group in self.study.groups if group.scene_class == self.name]
-        scenes = textwrap.fill(", ".join(places), 54, break_long_words=False)
+        scenes = textwrap.fill(", ".join(dict.fromkeys(places)), 54, break_long_words=False)
         self.up.set_title(self.name, pad=36)
         look: dict[str, Any] = {"xytext": (0, 33), "textcoords": "offset points", "va": "top"}
         look |= {"xycoords": "axes fraction", "color": style.FAINT, "fontsize": 10.5}
@@ -219,7 +223,7 @@ class _Facet:
         fronts = self.study.fronts(self.name)
         every = [point.ns for point in self.study.points]
         middle = math.sqrt(min(every) * max(every))
-        for on_device, summary in fronts.items():
+        for number, (on_device, summary) in enumerate(fronts.items()):
             for ax in (self.up, self.strip, self.down):
                 ax.axvline(
                     summary.ns, color=style.INK, linewidth=1.2, linestyle=(0, (4, 2)), zorder=1
@@ -234,7 +238,7 @@ class _Facet:
                 text,
                 (summary.ns, 1),
                 xycoords=("data", "axes fraction"),
-                xytext=(-5 if late else 5, -4),
+                xytext=(-5 if late else 5, -4 - 40 * number),  # one below the other
                 textcoords="offset points",
                 ha="right" if late else "left",
                 va="top",
