@@ -78,11 +78,8 @@ class CandidateSink {
   // The safe band holds for every scene, and a few candidates per sphere do not show the
   // difference; for the same reason radii are grown here instead of in a copy of the scene.
   bool overlap(const Sphere& a, const Sphere& b) {
-    const Sphere p = {a.x, a.y, a.z, band_radius<Band::safe>(a.r)};
-    const Sphere q = {b.x, b.y, b.z, band_radius<Band::safe>(b.r)};
-    if (!band_may_overlap(p, q)) return false;
-    if (band_is_sure<Band::safe>(p, q)) return true;
-    return overlap_exact(a, b);
+    const Verdict verdict = band_verdict<Band::safe>(a, b);
+    return verdict == Verdict::doubt ? overlap_exact(a, b) : verdict == Verdict::overlap;
   }
 
   void keep(Pair pair) {

@@ -108,12 +108,8 @@ class PairTester {
 
   void take(Member a, Member b) {
     if (!rule_.counts_here(a, b)) return;
-    sink_.take<test>(stored(a.id()), a.id(), stored(b.id()), b.id());
-  }
-
-  Sphere stored(std::uint32_t id) const {
-    const Sphere& s = w_.scene.spheres[id];
-    return {s.x, s.y, s.z, stored_radius<test>(s.r)};
+    const std::span<const Sphere> spheres = w_.scene.spheres;
+    sink_.take<test>(stored<test>(spheres[a.id()]), a.id(), stored<test>(spheres[b.id()]), b.id());
   }
 
   Workspace& w_;

@@ -24,7 +24,7 @@ struct Tile {
     if constexpr (is_packed(test)) {
       put(pack<test>(s, packing));
     } else {
-      put(Sphere{s.x, s.y, s.z, stored_radius<test>(s.r)});
+      put(stored<test>(s));
     }
     object[size] = o;
     ++size;

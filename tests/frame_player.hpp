@@ -74,4 +74,42 @@ inline std::vector<Skips> choices() {
   return choices;
 }
 
+/// By skip: how many frames were served by it.
+using Served = std::array<int, kSkipCount>;
+
+/// Plays every sequence with every choice: each frame has the exact pairs, and is served by nothing
+/// that is forbidden. flags_for(spheres) gives the flags of a frame.
+template <typename NewPlayer, typename FlagsFor>
+void play_with_every_choice(const NewPlayer& new_player, const FlagsFor& flags_for,
+                            Served& served) {
+  const std::vector<Skips> choices = octocell::choices();
+  for (const Sequence& sequence : sequences()) {
+    std::vector<Player> players;
+    for (const Skips allowed : choices) players.push_back(new_player(allowed));
+    for (std::size_t f = 0; f < sequence.frames.size(); ++f) {
+      const Spheres& spheres = sequence.frames[f];
+      const std::vector<Flags> flags = flags_for(spheres);
+      const std::vector<Pair> truth = reference::exact_pairs(spheres, flags);
+      for (std::size_t c = 0; c < players.size(); ++c) {
+        const Counts counts = players[c].show({spheres, flags});
+        const std::string what =
+            sequence.name + ", frame " + std::to_string(f) + ", choice " + std::to_string(c);
+        ASSERT_EQ(players[c].finder().digest(), digest_of(truth)) << what;
+        ASSERT_EQ(players[c].finder().download(), truth) << what;
+        ASSERT_EQ(counts.pairs, truth.size()) << what;
+        if (!counts.served_by) continue;
+        ASSERT_TRUE(choices[c].has(*counts.served_by)) << what;
+        ASSERT_TRUE(counts.used.has(*counts.served_by)) << what;
+        ++served[static_cast<std::size_t>(*counts.served_by)];
+      }
+    }
+  }
+}
+
+inline void expect_all_to_have_served(std::initializer_list<Skip> skips, const Served& served) {
+  for (const Skip skip : skips) {
+    EXPECT_GT(served[static_cast<std::size_t>(skip)], 50) << name_of(skip) << " is not tested";
+  }
+}
+
 }  // namespace octocell

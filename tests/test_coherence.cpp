@@ -17,28 +17,10 @@ Player on_cpu(const PlanOptions& options) { return {options, cpu::make_backend()
 class Sequences : public testing::TestWithParam<int> {};
 
 TEST_P(Sequences, HaveTheExactPairsWhateverIsAllowed) {
-  int served[kSkipCount] = {};
-  for (const Sequence& sequence : sequences()) {
-    std::vector<Player> players;
-    for (const Skips allowed : choices()) players.push_back(on_cpu(moving(allowed, GetParam())));
-    for (std::size_t f = 0; f < sequence.frames.size(); ++f) {
-      const std::vector<Pair> truth = reference::exact_pairs(sequence.frames[f]);
-      for (std::size_t c = 0; c < players.size(); ++c) {
-        const Counts counts = players[c].show({sequence.frames[f]});
-        const std::string what =
-            sequence.name + ", frame " + std::to_string(f) + ", choice " + std::to_string(c);
-        ASSERT_EQ(players[c].finder().digest(), digest_of(truth)) << what;
-        ASSERT_EQ(players[c].finder().download(), truth) << what;
-        ASSERT_EQ(counts.pairs, truth.size()) << what;
-        if (!counts.served_by) continue;
-        ASSERT_TRUE(choices()[c].has(*counts.served_by)) << what;
-        ++served[static_cast<std::size_t>(*counts.served_by)];
-      }
-    }
-  }
-  for (const Skip skip : {Skip::unchanged, Skip::few_movers, Skip::skin}) {
-    EXPECT_GT(served[static_cast<std::size_t>(skip)], 50) << name_of(skip) << " is not tested";
-  }
+  Served served = {};
+  play_with_every_choice([](Skips allowed) { return on_cpu(moving(allowed, GetParam())); },
+                         [](const Spheres&) { return std::vector<Flags>(); }, served);
+  expect_all_to_have_served({Skip::unchanged, Skip::few_movers, Skip::skin}, served);
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, Sequences, testing::Values(1, 3));

@@ -40,33 +40,14 @@ class CoherenceOnDevice : public FramesOnDevice, public testing::WithParamInterf
 
 /// The parameter: the share of static spheres; none, below zero, no flags.
 TEST_P(CoherenceOnDevice, EveryFrameHasTheExactPairsWhateverIsAllowed) {
-  int served[kSkipCount] = {};
-  for (const Sequence& sequence : sequences()) {
-    std::vector<Player> players;
-    for (const Skips allowed : choices()) players.push_back(on_device(moving(allowed)));
-    for (std::size_t f = 0; f < sequence.frames.size(); ++f) {
-      const Spheres& spheres = sequence.frames[f];
-      const AllFlags flags =
-          GetParam() < 0.0 ? AllFlags() : flags_of(spheres.size(), GetParam(), 11);
-      const SceneView scene = {spheres, flags};
-      const std::vector<Pair> truth = reference::exact_pairs(spheres, flags);
-      for (std::size_t c = 0; c < players.size(); ++c) {
-        const Counts counts = players[c].show(scene);
-        const std::string what =
-            sequence.name + ", frame " + std::to_string(f) + ", choice " + std::to_string(c);
-        ASSERT_EQ(players[c].finder().digest(), digest_of(truth)) << what;
-        ASSERT_EQ(players[c].finder().download(), truth) << what;
-        ASSERT_EQ(counts.pairs, truth.size()) << what;
-        if (!counts.served_by) continue;
-        ASSERT_TRUE(choices()[c].has(*counts.served_by)) << what;
-        ASSERT_TRUE(counts.used.has(*counts.served_by)) << what;
-        ++served[static_cast<std::size_t>(*counts.served_by)];
-      }
-    }
-  }
-  for (const Skip skip : {Skip::unchanged, Skip::skin}) {
-    EXPECT_GT(served[static_cast<std::size_t>(skip)], 50) << name_of(skip) << " is not tested";
-  }
+  Served served = {};
+  play_with_every_choice([](Skips allowed) { return on_device(moving(allowed)); },
+                         [](const Spheres& spheres) {
+                           return GetParam() < 0.0 ? AllFlags()
+                                                   : flags_of(spheres.size(), GetParam(), 11);
+                         },
+                         served);
+  expect_all_to_have_served({Skip::unchanged, Skip::skin}, served);
 }
 
 INSTANTIATE_TEST_SUITE_P(StaticShares, CoherenceOnDevice, testing::Values(-1.0, 0.3, 0.9));

@@ -168,7 +168,7 @@ void expect_lanes_agree(const Scene& scene) {
     if constexpr (is_packed(test)) {
       keep(pack<test>(s, packing));
     } else {
-      keep(Sphere{s.x, s.y, s.z, stored_radius<test>(s.r)});
+      keep(stored<test>(s));
     }
   }
   const cpu::FieldsOf<test> fields = {numbers[0].data(), numbers[1].data(), numbers[2].data(),

@@ -106,9 +106,7 @@ PlanOptions plan_options(const Options& options) {
   if (how.is_baseline()) {
     throw InputError(fmt::format("{} is a baseline: it has its own plan", options.backend));
   }
-  if (const auto reason = how.backend->why_unavailable()) {
-    throw LimitError(fmt::format("{} cannot run here: {}", options.backend, *reason));
-  }
+  require_available(*how.backend);
   how.method = method_or_planned(options.method);
   return with_skips(how.plan_options(thread_count(options.threads)), options.no_skip,
                     options.force);

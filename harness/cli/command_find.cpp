@@ -49,9 +49,7 @@ Implementation chosen_implementation(const Options& options) {
         fmt::format("{} is a baseline: it has its own method, rule, predicate, cells and plan",
                     chosen.backend->name));
   }
-  if (const auto reason = chosen.backend->why_unavailable()) {
-    throw LimitError(fmt::format("{} cannot run here: {}", chosen.backend->name, *reason));
-  }
+  require_available(*chosen.backend);
   chosen.method = method_or_planned(options.method);
   if (!options.rule.empty()) chosen.rule = rule_named(options.rule);
   if (!options.predicate.empty()) {

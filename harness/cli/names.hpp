@@ -30,6 +30,13 @@ Enum enumerator_named(std::string_view what, std::string_view name,
   return static_cast<Enum>(found - names.begin());
 }
 
+/// For commands that a backend's absence ends. Throws LimitError with the reason.
+inline void require_available(const BackendInfo& backend) {
+  if (const auto reason = backend.why_unavailable()) {
+    throw LimitError(fmt::format("{} cannot run here: {}", backend.name, *reason));
+  }
+}
+
 /// None: the planner chooses.
 inline std::optional<Method> method_or_planned(std::string_view name) {
   if (name.empty() || name == "planned") return std::nullopt;

@@ -26,12 +26,7 @@ inline constexpr double kClearDifference = 0x1p-8;
 /// s^2 - D from integers: seventeen roundings of 2^-53, whatever cancels. Limbs are subtracted
 /// from the highest on; as long as they cancel, the sum is a whole number that float64 holds.
 OCTOCELL_HD double integer_difference(const Sphere& a, const Sphere& b) {
-  Square distance2 = {};
-  add_square(distance2, distance_along_axis(a.x, b.x));
-  add_square(distance2, distance_along_axis(a.y, b.y));
-  add_square(distance2, distance_along_axis(a.z, b.z));
-  Square reach2 = {};
-  add_square(reach2, add(fixed_magnitude(a.r), fixed_magnitude(b.r)));
+  const auto [distance2, reach2] = integer_sides(a, b);
   double sum = 0.0;
   for (int i = 2 * kLimbs - 1; i >= 0; --i) {
     const std::int64_t limb = std::int64_t{reach2.limb[i]} - std::int64_t{distance2.limb[i]};

@@ -80,6 +80,12 @@ OCTOCELL_HD float stored_radius(float r) {
   }
 }
 
+/// The sphere as stage 5 keeps it in floats.
+template <PairTest test>
+OCTOCELL_HD Sphere stored(const Sphere& s) {
+  return {s.x, s.y, s.z, stored_radius<test>(s.r)};
+}
+
 /// The sphere as a packed test keeps it.
 template <PairTest test>
 OCTOCELL_HD PackedSphere pack(const Sphere& s, const Packing& packing) {

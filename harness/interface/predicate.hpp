@@ -76,6 +76,20 @@ OCTOCELL_HD bool band_is_sure(const Sphere& a, const Sphere& b) {
   return OCTOCELL_FAULT(band_no_sure_floor, true, reach2 >= kSafeSureFloor) && sure;
 }
 
+/// All of level 1, for two spheres with radii of their own.
+template <Band band>
+OCTOCELL_HD Verdict band_verdict(Sphere a, Sphere b) {
+  a.r = band_radius<band>(a.r);
+  b.r = band_radius<band>(b.r);
+  if (!band_may_overlap(a, b)) return Verdict::apart;
+  return band_is_sure<band>(a, b) ? Verdict::overlap : Verdict::doubt;
+}
+
+/// May a sphere of that radius be asked about in the fast band?
+OCTOCELL_HD bool in_fast_range(float r) {
+  return r == 0.0F || (r >= kFastRadiusMin && r <= kFastRadiusMax);
+}
+
 namespace exact {
 
 /// a + b = sum + error, exactly (Knuth, TAOCP vol. 2, 4.2.2, theorem B).
@@ -230,13 +244,22 @@ OCTOCELL_HD void add_square(Square& sum, const Fixed& a) {
   }
 }
 
+/// Both sides of the predicate: D and R.
+struct Sides {
+  Square distance2;
+  Square reach2;
+};
+OCTOCELL_HD Sides integer_sides(const Sphere& a, const Sphere& b) {
+  Sides sides = {};
+  add_square(sides.distance2, distance_along_axis(a.x, b.x));
+  add_square(sides.distance2, distance_along_axis(a.y, b.y));
+  add_square(sides.distance2, distance_along_axis(a.z, b.z));
+  add_square(sides.reach2, add(fixed_magnitude(a.r), fixed_magnitude(b.r)));
+  return sides;
+}
+
 OCTOCELL_HD bool integer_test(const Sphere& a, const Sphere& b) {
-  Square distance2 = {};
-  add_square(distance2, distance_along_axis(a.x, b.x));
-  add_square(distance2, distance_along_axis(a.y, b.y));
-  add_square(distance2, distance_along_axis(a.z, b.z));
-  Square reach2 = {};
-  add_square(reach2, add(fixed_magnitude(a.r), fixed_magnitude(b.r)));
+  const auto [distance2, reach2] = integer_sides(a, b);
   for (int i = 2 * kLimbs - 1; i >= 0; --i) {
     if (distance2.limb[i] != reach2.limb[i]) return distance2.limb[i] < reach2.limb[i];
   }

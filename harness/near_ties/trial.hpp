@@ -18,36 +18,22 @@ struct Tally {
 };
 
 OCTOCELL_HD bool is_near_tie(const Two& two) {
-  const double dx = static_cast<double>(two.a.x) - two.b.x;
-  const double dy = static_cast<double>(two.a.y) - two.b.y;
-  const double dz = static_cast<double>(two.a.z) - two.b.z;
-  const double reach = static_cast<double>(two.a.r) + two.b.r;
-  const double r = reach * reach;
-  return fabs(dx * dx + dy * dy + dz * dz - r) <= 0x1p-18 * r;
+  const auto& [a, b] = two;
+  const exact::Float64Test<double> test(a.x, a.y, a.z, a.r, b.x, b.y, b.z, b.r);
+  return fabs(test.excess) <= 0x1p-18 * test.reach2;
 }
 
-/// What the band says, if it is certain, is what is true.
-template <Band band>
-OCTOCELL_HD bool band_is_right(const Two& two, bool truth) {
-  Two grown = two;
-  grown.a.r = band_radius<band>(two.a.r);
-  grown.b.r = band_radius<band>(two.b.r);
-  if (!band_may_overlap(grown.a, grown.b)) return !truth;
-  return truth || !band_is_sure<band>(grown.a, grown.b);
-}
-
-OCTOCELL_HD bool in_fast_range(float r) {
-  return r == 0.0F || (r >= kFastRadiusMin && r <= kFastRadiusMax);
+/// What a level says, if it is certain, is what is true.
+OCTOCELL_HD bool is_right(Verdict verdict, bool truth) {
+  return verdict == Verdict::doubt || (verdict == Verdict::overlap) == truth;
 }
 
 OCTOCELL_HD bool all_levels_are_right(const Two& two, bool truth) {
-  bool right = band_is_right<Band::safe>(two, truth);
-  if (in_fast_range(two.a.r) && in_fast_range(two.b.r)) {
-    right = right && band_is_right<Band::fast>(two, truth);
-  }
-  const Verdict level2 = exact::float64_test(two.a, two.b);
-  if (level2 != Verdict::doubt) right = right && (level2 == Verdict::overlap) == truth;
-  return right && exact::integer_test(two.a, two.b) == truth;
+  const auto& [a, b] = two;
+  const bool fast = in_fast_range(a.r) && in_fast_range(b.r);
+  return is_right(band_verdict<Band::safe>(a, b), truth) &&
+         (!fast || is_right(band_verdict<Band::fast>(a, b), truth)) &&
+         is_right(exact::float64_test(a, b), truth) && exact::integer_test(a, b) == truth;
 }
 
 OCTOCELL_HD void add(Tally& sum, const Tally& other) {

@@ -58,4 +58,11 @@ Number coordinate_in_box(Random& random, double side, double centre = 0.0) {
   return static_cast<Number>(centre + (random.uniform() - 0.5) * side);
 }
 
+/// The place of a lattice's plane, so many steps from the first of `side` planes; the middle one
+/// lies at zero.
+template <typename Number>
+Number coordinate_on_lattice(std::size_t steps, std::size_t side, double step) {
+  return static_cast<Number>((static_cast<double>(steps) - static_cast<double>(side / 2)) * step);
+}
+
 }  // namespace octocell::families

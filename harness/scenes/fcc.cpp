@@ -26,9 +26,8 @@ std::vector<AnySphere> fcc(const Parameters& parameters) {
   const double spacing = parameters.real("spacing");
   const double step = spacing * std::sqrt(0.5);
   const std::size_t side = even_side(spheres.size());
-  const auto middle = static_cast<double>(side / 2);
   const auto coordinate = [&](std::size_t steps) {
-    return static_cast<Number>((static_cast<double>(steps) - middle) * step);
+    return coordinate_on_lattice<Number>(steps, side, step);
   };
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     const std::size_t row = i / (side / 2);

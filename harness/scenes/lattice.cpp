@@ -30,9 +30,8 @@ std::vector<AnySphere> lattice(const Parameters& parameters) {
   std::vector<AnySphere> spheres(parameters.whole("n"));
   const double spacing = parameters.real("spacing");
   const std::size_t side = cube_side(spheres.size());
-  const auto middle = static_cast<double>(side / 2);
-  const auto coordinate = [&](std::size_t step) {
-    return static_cast<Number>((static_cast<double>(step) - middle) * spacing);
+  const auto coordinate = [&](std::size_t steps) {
+    return coordinate_on_lattice<Number>(steps, side, spacing);
   };
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     spheres[i].x = coordinate(i % side);

@@ -33,29 +33,16 @@ void check_length(const InputFile& file, const NpyHeader& header, std::size_t sp
   }
 }
 
-template <class Element>
-std::vector<Element> read_all(InputFile& file, const NpyHeader& header) {
-  const std::uint64_t needed = header.data_offset + header.shape[0] * sizeof(Element);
-  if (file.size() != needed) {
-    file.refuse(fmt::format("{}: shape {} needs {} bytes, the file has {}",
-                            file.size() < needed ? "truncated" : "too long", header.shape_text(),
-                            needed, file.size()));
-  }
-  std::vector<Element> elements(header.shape[0]);
-  file.read(std::as_writable_bytes(std::span(elements)));
-  return elements;
-}
-
 }  // namespace
 
 std::vector<Flags> load_flags(InputFile& file, std::size_t sphere_count) {
   const NpyHeader header = read_npy_header(file);
   check_type(file, header);
   check_length(file, header, sphere_count);
-  if (!only_tells_static(header)) return read_all<Flags>(file, header);
+  if (!only_tells_static(header)) return read_npy_rows<Flags>(file, header);
   std::vector<Flags> flags;
   flags.reserve(sphere_count);
-  for (const std::uint8_t value : read_all<std::uint8_t>(file, header)) {
+  for (const std::uint8_t value : read_npy_rows<std::uint8_t>(file, header)) {
     if (value > 1) {
       file.refuse(fmt::format("sphere {}: static is {} (must be 0 or 1)", flags.size(), value));
     }

@@ -38,17 +38,10 @@ void check_layout(const InputFile& file, const NpyHeader& header) {
 }
 
 template <class AnySphere>
-std::vector<AnySphere> read_rows(InputFile& file, const NpyHeader& header) {
-  const std::uint64_t needed = header.data_offset + header.shape[0] * sizeof(AnySphere);
-  if (file.size() != needed) {
-    file.refuse(fmt::format("{}: shape {} needs {} bytes, the file has {}",
-                            file.size() < needed ? "truncated" : "too long", header.shape_text(),
-                            needed, file.size()));
-  }
-  std::vector<AnySphere> rows(header.shape[0]);
-  file.read(std::as_writable_bytes(std::span(rows)));
-  validate(std::span<const AnySphere>(rows), file.path());
-  return rows;
+std::vector<AnySphere> read_spheres(InputFile& file, const NpyHeader& header) {
+  std::vector<AnySphere> spheres = read_npy_rows<AnySphere>(file, header);
+  validate(std::span<const AnySphere>(spheres), file.path());
+  return spheres;
 }
 
 }  // namespace
@@ -58,10 +51,10 @@ void load_npy(InputFile& file, const LoadOptions& options, Scene& scene) {
   check_type(file, header, options);
   check_layout(file, header);
   if (header.descr == kFloat32) {
-    scene.spheres = read_rows<Sphere>(file, header);
+    scene.spheres = read_spheres<Sphere>(file, header);
     return;
   }
-  scene.unrounded = read_rows<DoubleSphere>(file, header);
+  scene.unrounded = read_spheres<DoubleSphere>(file, header);
   scene.spheres.reserve(scene.unrounded->size());
   for (const DoubleSphere& s : *scene.unrounded) scene.spheres.push_back(rounded(s));
 }

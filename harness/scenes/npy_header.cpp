@@ -174,6 +174,14 @@ NpyHeader read_npy_header(InputFile& file) {
   return header;
 }
 
+void check_npy_size(const InputFile& file, const NpyHeader& header, std::size_t bytes_per_row) {
+  const std::uint64_t needed = header.data_offset + header.shape[0] * bytes_per_row;
+  if (file.size() == needed) return;
+  file.refuse(fmt::format("{}: shape {} needs {} bytes, the file has {}",
+                          file.size() < needed ? "truncated" : "too long", header.shape_text(),
+                          needed, file.size()));
+}
+
 std::string npy_header_bytes(std::string_view descr, std::string_view shape) {
   constexpr std::size_t kAlignment = 64;  // so that the numbers can be mapped into memory
   std::string dictionary =

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,18 @@ struct NpyHeader {
 
 /// Reads up to the first number. Throws InputError: what was found, and what was expected.
 NpyHeader read_npy_header(InputFile& file);
+
+/// Throws InputError where the file is shorter or longer than so many bytes a row need.
+void check_npy_size(const InputFile& file, const NpyHeader& header, std::size_t bytes_per_row);
+
+/// The rows behind the header, as they lie in the file.
+template <typename Row>
+std::vector<Row> read_npy_rows(InputFile& file, const NpyHeader& header) {
+  check_npy_size(file, header, sizeof(Row));
+  std::vector<Row> rows(header.shape[0]);
+  file.read(std::as_writable_bytes(std::span(rows)));
+  return rows;
+}
 
 /// The bytes before the numbers of an array in C order; `shape` as Python writes it: "(10, 4)".
 std::string npy_header_bytes(std::string_view descr, std::string_view shape);

@@ -26,11 +26,10 @@ void Movers::allocate(const Workspace& whole) {
   is_mover_.assign(count / 64 + 1, 0);
   standing_.resize(whole.plan.capacity.pairs / kPairsPerBlock + 1);
   moved_.plan = whole.plan;
-  moved_.plan.capacity.ids = most_;
+  moved_.plan.capacity = {.ids = most_};
+  moved_.scene.spheres = {now_.data(), most_};
   moved_.threads = whole.threads;
-  for (IdArrays& ids : moved_.ids) ids.allocate(most_);
-  moved_.ordered.allocate(most_, false);
-  moved_.rows_of_block.resize(most_ / half_shell::kIndexedPerBlock + 1);
+  moved_.allocate();
   count_ = taken_out_ = 0;
   others_stand_ = false;
 }

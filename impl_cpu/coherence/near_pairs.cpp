@@ -22,11 +22,6 @@ bool same_radius(const Sphere& a, const Sphere& b) {
   return std::bit_cast<std::uint32_t>(a.r) == std::bit_cast<std::uint32_t>(b.r);
 }
 
-template <PairTest test>
-Sphere stored(const Sphere& s) {
-  return {s.x, s.y, s.z, stored_radius<test>(s.r)};
-}
-
 }  // namespace
 
 void NearPairs::allocate(const Workspace& whole) {
@@ -34,17 +29,16 @@ void NearPairs::allocate(const Workspace& whole) {
   const SkinCells& cells = whole.plan.skin;
   are_known_ = false;
   if (cells.growth == 0.0F) return;
+  for (Buffer<Sphere>* spheres : {&spheres_, &then_, &now_}) spheres->allocate(count);
   grown_.plan = whole.plan;
   grown_.plan.levels = cells.levels;
   grown_.plan.key_bits = cells.key_bits;
   grown_.plan.test = PairTest::band_safe;  // grown radii may leave the range that the plan has seen
+  const std::uint64_t pairs = whole.plan.capacity.pairs;
+  grown_.plan.capacity = {.ids = count, .doubts = pairs, .pairs = kMostPerPair * pairs};
+  grown_.scene.spheres = {spheres_.data(), count};
   grown_.threads = whole.threads;
-  for (IdArrays& ids : grown_.ids) ids.allocate(count);
-  grown_.ordered.allocate(count, false);
-  grown_.rows_of_block.resize(count / half_shell::kIndexedPerBlock + 1);
-  grown_.pairs.allocate(kMostPerPair * whole.plan.capacity.pairs);
-  grown_.doubts.allocate(whole.plan.capacity.pairs);
-  for (Buffer<Sphere>* spheres : {&spheres_, &then_, &now_}) spheres->allocate(count);
+  grown_.allocate();
 }
 
 void NearPairs::grow(const Workspace& whole, float half_skin) {

@@ -15,13 +15,8 @@ inline PairList near_list(Workspace& w) {
 }
 
 /// Do the spheres overlap as they are, neither grown nor with a band's radius?
-__device__ inline Verdict test_in_float32(Band band, Sphere a, Sphere b) {
-  const bool fast = band == Band::fast;
-  a.r = fast ? band_radius<Band::fast>(a.r) : band_radius<Band::safe>(a.r);
-  b.r = fast ? band_radius<Band::fast>(b.r) : band_radius<Band::safe>(b.r);
-  if (!band_may_overlap(a, b)) return Verdict::apart;
-  const bool sure = fast ? band_is_sure<Band::fast>(a, b) : band_is_sure<Band::safe>(a, b);
-  return sure ? Verdict::overlap : Verdict::doubt;
+__device__ inline Verdict test_in_float32(Band band, const Sphere& a, const Sphere& b) {
+  return band == Band::fast ? band_verdict<Band::fast>(a, b) : band_verdict<Band::safe>(a, b);
 }
 
 /// Stage 5 of a search of grown spheres: all that it finds are near pairs, which are listed; those

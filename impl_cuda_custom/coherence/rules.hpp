@@ -117,11 +117,8 @@ OCTOCELL_HD Step step_of(const Sphere& then, const Sphere& now, float growth) {
 /// In float32. Doubt: only the exact predicate knows.
 OCTOCELL_HD Verdict within_skin(const Sphere& then, const Sphere& now, float growth) {
   if (bits_of(then.r) != bits_of(now.r)) return Verdict::apart;
-  Step step = step_of(then, now, growth);
-  step.ball.r = band_radius<Band::safe>(step.ball.r);
-  step.point.r = band_radius<Band::safe>(step.point.r);
-  if (!band_may_overlap(step.ball, step.point)) return Verdict::apart;
-  return band_is_sure<Band::safe>(step.ball, step.point) ? Verdict::overlap : Verdict::doubt;
+  const Step step = step_of(then, now, growth);
+  return band_verdict<Band::safe>(step.ball, step.point);
 }
 
 }  // namespace octocell::cuda_custom::coherence

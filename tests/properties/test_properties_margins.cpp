@@ -47,13 +47,10 @@ long double danger_of_a_false_pair(const Two& two) {
 
 /// Above 1, float64 could be certain and wrong: its error, in units of the bound it grants itself.
 long double danger_of_float64(const Two& two) {
-  const double dx = static_cast<double>(two.a.x) - two.b.x;
-  const double dy = static_cast<double>(two.a.y) - two.b.y;
-  const double dz = static_cast<double>(two.a.z) - two.b.z;
-  const double reach = static_cast<double>(two.a.r) + two.b.r;
-  const double reach2 = reach * reach;
-  const long double ratio = static_cast<long double>(dx * dx + dy * dy + dz * dz) / reach2;
-  return std::abs(ratio / true_ratio(two) - 1.0L) / (exact::float64_bound(reach2) / reach2);
+  const auto& [a, b] = two;
+  const exact::Float64Test<double> test(a.x, a.y, a.z, a.r, b.x, b.y, b.z, b.r);
+  const long double ratio = static_cast<long double>(test.distance2) / test.reach2;
+  return std::abs(ratio / true_ratio(two) - 1.0L) / (test.bound / test.reach2);
 }
 
 using Danger = long double (*)(const Two&);

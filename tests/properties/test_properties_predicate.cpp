@@ -15,25 +15,14 @@ namespace {
 using properties::any_pair;
 using properties::Two;
 
-bool in_fast_range(float r) { return r == 0.0F || (r >= kFastRadiusMin && r <= kFastRadiusMax); }
-
-template <Band band>
-Two with_band_radii(Two two) {
-  two.a.r = band_radius<band>(two.a.r);
-  two.b.r = band_radius<band>(two.b.r);
-  return two;
-}
-
 template <Band band>
 void expect_no_loss_and_sure_verdicts(const Two& two) {
   const bool truth = properties::overlap(two.a, two.b);
-  const auto [a, b] = with_band_radii<band>(two);
-  const bool may = band_may_overlap(a, b);
-  const bool sure = may && band_is_sure<band>(a, b);
-  RC_ASSERT(may || !truth);
-  RC_ASSERT(!sure || truth);
-  RC_ASSERT(may == band_may_overlap(b, a));
-  RC_CLASSIFY(may && !sure, "doubt");
+  const Verdict verdict = band_verdict<band>(two.a, two.b);
+  RC_ASSERT(verdict != Verdict::apart || !truth);
+  RC_ASSERT(verdict != Verdict::overlap || truth);
+  RC_ASSERT(verdict == band_verdict<band>(two.b, two.a));
+  RC_CLASSIFY(verdict == Verdict::doubt, "doubt");
   RC_CLASSIFY(truth, "overlap");
 }
 
