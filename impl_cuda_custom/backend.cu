@@ -12,6 +12,7 @@
 #include "impl_cuda_custom/coherence/coherence.cuh"
 #include "impl_cuda_custom/device.cuh"
 #include "impl_cuda_custom/device_runs.cuh"
+#include "impl_cuda_custom/pinned_array.cuh"
 
 namespace octocell::cuda_custom {
 namespace {
@@ -29,7 +30,10 @@ __global__ void __launch_bounds__(kBlockThreads)
 
 class CudaBackend final : public GridPairFinder {
  public:
-  CudaBackend() { cuda::check(cudaStreamCreateWithFlags(&w_.stream, cudaStreamNonBlocking)); }
+  CudaBackend() {
+    cuda::check(cudaStreamCreateWithFlags(&w_.stream, cudaStreamNonBlocking));
+    state_.allocate(1);
+  }
   CudaBackend(const CudaBackend&) = delete;
   CudaBackend& operator=(const CudaBackend&) = delete;
   ~CudaBackend() override { cudaStreamDestroy(w_.stream); }
@@ -137,7 +141,18 @@ class CudaBackend final : public GridPairFinder {
   [[nodiscard]] Method method() const override { return w_.plan.method; }
   [[nodiscard]] bool nothing_to_find() const override { return w_.plan.nothing_to_find; }
   [[nodiscard]] bool bounds_with_cell_ids() const override { return w_.half_shell(); }
-  void bounds() override { cuda_custom::bounds(w_); }
+  [[nodiscard]] bool runs(Stage stage) const override {
+    if (!GridPairFinder::runs(stage)) return false;
+    if (!w_.course || *w_.course == coherence::Course::search) return true;
+    return *w_.course == coherence::Course::near_pairs && stage >= Stage::pair_tests;
+  }
+  void bounds() override {
+    cuda_custom::bounds(w_);
+    w_.course.reset();
+    if (w_.coherent() && coherence_.was_spared_its_search() && !is_recorded()) {
+      w_.course = read_state().course;
+    }
+  }
   void cell_ids() override { cuda_custom::cell_ids(w_); }
   void sort() override { cuda_custom::sort(w_); }
   void cell_index() override { cuda_custom::cell_index(w_); }
@@ -158,11 +173,17 @@ class CudaBackend final : public GridPairFinder {
   void wait() { cuda::check(cudaStreamSynchronize(w_.stream)); }
 
   State read_state() {
-    State state;
-    cuda::check(
-        cudaMemcpyAsync(&state, w_.state.data(), sizeof state, cudaMemcpyDeviceToHost, w_.stream));
+    cuda::check(cudaMemcpyAsync(state_.data(), w_.state.data(), sizeof(State),
+                                cudaMemcpyDeviceToHost, w_.stream));
     wait();
-    return state;
+    return *state_.data();
+  }
+
+  /// Into a graph, where what the device finds now says nothing of the frames to come.
+  [[nodiscard]] bool is_recorded() const {
+    cudaStreamCaptureStatus status = cudaStreamCaptureStatusNone;
+    cuda::check(cudaStreamIsCapturing(w_.stream, &status));
+    return status != cudaStreamCaptureStatusNone;
   }
 
   [[nodiscard]] std::uint64_t stored(const State& state) const {
@@ -183,6 +204,7 @@ class CudaBackend final : public GridPairFinder {
   }
 
   Workspace w_;
+  PinnedArray<State> state_;  // [1], read from the device
   coherence::Coherence coherence_;
   bool flags_broken_ = false;  // the plan is not for flags like these
   CudaDeviceRuns runs_{*this, w_};

@@ -5,33 +5,10 @@
 #include <algorithm>
 
 #include "harness/interface/backend.hpp"
+#include "impl_cuda_custom/pinned_array.cuh"
 #include "impl_cuda_custom/stages.cuh"
 
 namespace octocell::cuda_custom {
-
-/// Host memory that the device can reach by itself.
-template <typename T>
-class PinnedArray {
- public:
-  PinnedArray() = default;
-  PinnedArray(const PinnedArray&) = delete;
-  PinnedArray& operator=(const PinnedArray&) = delete;
-  ~PinnedArray() { cudaFreeHost(data_); }
-
-  void allocate(std::uint64_t capacity) {
-    if (capacity <= capacity_) return;
-    cudaFreeHost(data_);
-    data_ = nullptr;
-    capacity_ = 0;
-    cuda::check(cudaMallocHost(&data_, capacity * sizeof(T)));
-    capacity_ = capacity;
-  }
-  [[nodiscard]] T* data() const { return data_; }
-
- private:
-  T* data_ = nullptr;
-  std::uint64_t capacity_ = 0;
-};
 
 class CudaDeviceRuns final : public DeviceRuns {
  public:

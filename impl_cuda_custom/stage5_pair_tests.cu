@@ -192,8 +192,8 @@ void test_columns(Workspace& w, std::uint64_t most_entries) {
 
 void pair_tests(Workspace& w) {
   if (w.plan.method == Method::half_shell) {
-    half_shell::pair_tests(w);
-    if (w.allowed().near_pairs) coherence::test_near_pairs(w);
+    if (w.may_take(coherence::Course::search)) half_shell::pair_tests(w);
+    if (w.may_take(coherence::Course::near_pairs)) coherence::test_near_pairs(w);
     return;
   }
   const std::uint64_t most_entries = w.brute_force() ? w.sphere_count() : w.plan.capacity.ids;

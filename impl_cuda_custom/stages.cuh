@@ -87,8 +87,9 @@ struct Workspace {
   SceneView scene;  // on the host: words about a sphere are made of it
   cudaStream_t stream = nullptr;
   float growth = 0.0F;  // of each radius in this frame's search, if it has one (see coherence/)
-  std::optional<RadixSort> sorter;        // of the methods that have a grid
-  std::optional<RadixSort> grown_sorter;  // the same for grown spheres, where there may be some
+  std::optional<coherence::Course> course;  // of this frame, where the host has asked for it
+  std::optional<RadixSort> sorter;          // of the methods that have a grid
+  std::optional<RadixSort> grown_sorter;    // the same for grown spheres, where there may be some
 
   cuda::DeviceArray<State> state;                          // [1]
   cuda::DeviceArray<Sphere> spheres;                       // [spheres]
@@ -105,11 +106,11 @@ struct Workspace {
   cuda::DeviceArray<Pair> pairs;                  // [plan.capacity.pairs]
 
   // Between frames, where they may be of use to each other:
-  cuda::DeviceArray<coherence::Kept> kept;       // [1]
-  cuda::DeviceArray<Sphere> sample;              // [coherence::kSampled] in the last frame
-  cuda::DeviceArray<Sphere> copy;                // [spheres] of the last frame, or of none
-  cuda::DeviceArray<Sphere> searched;            // [spheres] in the last search
-  cuda::DeviceArray<Pair> near_pairs;            // [plan.capacity.pairs] of the last search
+  cuda::DeviceArray<coherence::Kept> kept;  // [1]
+  cuda::DeviceArray<Sphere> sample;         // [coherence::kSampled] in the last frame
+  cuda::DeviceArray<Sphere> copy;           // [spheres] of the last frame, or of none
+  cuda::DeviceArray<Sphere> searched;       // [spheres] in the last search
+  cuda::DeviceArray<Pair> near_pairs;       // [plan.capacity.pairs] of the last search
 
   [[nodiscard]] std::uint64_t sphere_count() const { return scene.spheres.size(); }
   [[nodiscard]] bool brute_force() const { return plan.method == Method::brute_force; }
@@ -132,6 +133,11 @@ struct Workspace {
             .near_room = has_skin ? plan.capacity.pairs : 0};
   }
   [[nodiscard]] bool coherent() const { return allowed().any(); }
+  /// As far as the host knows.
+  [[nodiscard]] bool may_take(coherence::Course c) const {
+    if (c == coherence::Course::near_pairs && !allowed().near_pairs) return false;
+    return !course || *course == c;
+  }
   /// The cells of this frame's search, and what goes with them.
   [[nodiscard]] bool grows() const { return growth > 0.0F; }
   [[nodiscard]] const Levels& levels() const { return grows() ? plan.skin.levels : plan.levels; }

@@ -60,6 +60,11 @@ sanitizers() {  # small scenes: the tools make everything hundreds of times slow
       --backend impl_cuda_custom gas:n=3000 poly:n=2000 giant:n=3000 identical:n=900 lattice:n=3000 &
     quietly "sanitize_sort_$tool" compute-sanitizer --tool "$tool" --error-exitcode 9 \
       "$here/tests/test_radix_sort" --gtest_brief=1 --gtest_filter='*FewerPairs*:*NoMore*:*AgreesWith*' &
+    quietly "sanitize_frames_$tool" compute-sanitizer --tool "$tool" --error-exitcode 9 \
+      "$here/tests/test_cuda_coherence" --gtest_brief=1 \
+      --gtest_filter='*OnlyCounted*:*MoreDoubts*:*AnotherNumber*:*ThatFailed*:*OtherFlags*' &
+    quietly "sanitize_precision_$tool" compute-sanitizer --tool "$tool" --error-exitcode 9 \
+      "$here/tests/test_cuda_precision" --gtest_brief=1 &
   done
   wait
 }

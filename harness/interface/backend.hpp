@@ -68,8 +68,8 @@ class GridPairFinder : public PairFinder {
  public:
   void find_pairs(StageClock& clock) final {
     clock.start();
-    const bool fused = bounds_with_cell_ids();
     bounds();
+    const bool fused = bounds_with_cell_ids() && runs(Stage::cell_ids);
     if (!fused) clock.mark(Stage::bounds);
     if (runs(Stage::cell_ids)) {
       cell_ids();

@@ -29,6 +29,7 @@ void Coherence::forget(Workspace& w) {
   w.growth = 0.0F;
   frames_ = 0;
   has_list_ = false;
+  last_ = Course::search;
   if (w.kept.data() == nullptr) return;
   cuda::check(cudaMemsetAsync(w.kept.data(), 0, sizeof(Kept), w.stream));
 }
@@ -55,6 +56,7 @@ void Coherence::learn(Workspace& w, const State& state) {
   const Kept kept = read(w);
   if (kept.frames == frames_) return;  // asked twice
   frames_ = kept.frames;
+  last_ = state.course;
   note_course(w, state, kept);
   if (kept.frames < 2 || !w.allowed().near_pairs) return;
   motion_ = {.still_share = static_cast<float>(kept.still) / kSampled, .farthest = kept.farthest};

@@ -35,6 +35,9 @@ class Coherence {
   /// The same, and how fast spheres move is not known either.
   void reset(Workspace& w);
 
+  /// The last frame was: then this one may be, too.
+  [[nodiscard]] bool was_spared_its_search() const { return last_ != Course::search; }
+
   /// Grown spheres have more candidates. If those are too many, the frame is to be searched again,
   /// as if there had been none before.
   bool looked_at_too_many(Workspace& w, const State& state);
@@ -49,6 +52,7 @@ class Coherence {
   std::uint64_t spheres_ = 0;
   std::uint64_t frames_ = 0;  // learnt from
   bool has_list_ = false;
+  Course last_ = Course::search;
   FrameMotion motion_;
   SkinWidth skin_;
 };
