@@ -44,7 +44,6 @@ __device__ inline PackedSphere load(const PackedSphere* spheres, std::uint64_t i
 template <PairTest test>
 struct FixedTest {
   Packing packing;
-  float reach2;  // of band_equal
 
   [[nodiscard]] __device__ bool may_overlap(const Read<test>& a, const Read<test>& b) const {
     if constexpr (test == PairTest::f16) {
@@ -53,8 +52,6 @@ struct FixedTest {
       return q16::may_overlap(a, b);
     } else if constexpr (test == PairTest::q16_exact) {
       return q16::may_overlap_exactly(a, b);
-    } else if constexpr (test == PairTest::band_equal) {
-      return !(distance2(a, b) > reach2);
     } else if constexpr (test == PairTest::f64) {
       return within_f64(a, b);
     } else if constexpr (test == PairTest::f32_sqrt || test == PairTest::boxes ||
@@ -78,10 +75,10 @@ struct AnyTest {
     if (has_band()) return within_f32(a, b);
     return with_pair_test(test, [&]<PairTest fixed>() {
       if constexpr (is_packed(fixed)) {
-        return FixedTest<fixed>{packing, 0.0F}.may_overlap(pack<fixed>(a, packing),
-                                                           pack<fixed>(b, packing));
+        return FixedTest<fixed>{packing}.may_overlap(pack<fixed>(a, packing),
+                                                     pack<fixed>(b, packing));
       } else {
-        return FixedTest<fixed>{packing, 0.0F}.may_overlap(a, b);
+        return FixedTest<fixed>{packing}.may_overlap(a, b);
       }
     });
   }

@@ -187,7 +187,7 @@ std::string why_not(const Plan& plan, Skip skip) {
       return fmt::format("radii from {:g} to {:g} do not all lie in [2^-60, 2^62]",
                          plan.facts.r_min_nonzero, plan.facts.r_max);
     case Skip::equal_radii:
-      return "radii differ, or need guards, or no band is needed";
+      return "radii differ, or need guards, or no band is needed, or the backend reads them anyway";
     case Skip::doubts:
       return "the numbers lie on no lattice that is coarse enough";
     case Skip::key_bits:

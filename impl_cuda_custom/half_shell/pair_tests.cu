@@ -159,12 +159,6 @@ void test_runs(Workspace& w, const Test& test, const Stored* stored, const SinkA
   });
 }
 
-/// What D is compared with where all radii are one.
-float equal_reach2(const Workspace& w) {
-  const float r = band_radius<Band::fast>(w.plan.facts.r_max);
-  return (r + r) * (r + r);
-}
-
 }  // namespace
 
 void pair_tests(Workspace& w) {
@@ -181,8 +175,10 @@ void pair_tests(Workspace& w) {
     const FixedTest<PairTest::band_safe> of_grown = {};
     return test_runs<coherence::KeepNear>(w, of_grown, spheres, sink);
   }
-  with_pair_test(w.plan.test, [&]<PairTest test>() {
-    const FixedTest<test> fixed = {packing, equal_reach2(w)};
+  with_pair_test(w.plan.test, [&]<PairTest asked>() {
+    // Radii come with the coordinates: that they are equal spares no load, and costs a register.
+    constexpr PairTest test = asked == PairTest::band_equal ? PairTest::band_fast : asked;
+    const FixedTest<test> fixed = {packing};
     if constexpr (is_packed(test)) {
       test_runs<Keep>(w, fixed, w.sorted_packed.data(), sink);
     } else {
