@@ -1,18 +1,23 @@
 # SPDX-License-Identifier: MIT
-"""Running the program under test, and reading what it says."""
+"""Running the program under test and the scripts beside it, and reading what they say."""
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import re
 import subprocess
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
 RULES = ("lowest_cell", "chapter32", "as_written")
+
+Json = dict[str, Any]
 
 
 @dataclass(frozen=True)
@@ -45,9 +50,9 @@ class Octocell:
         assert result.rc == 0, f"{args}: exit {result.rc}: {result.stderr}"
         return result
 
-    def find(self, scene: object, *args: object) -> dict[str, Any]:
+    def find(self, scene: object, *args: object) -> Json:
         """What `find --json` prints."""
-        answer: dict[str, Any] = json.loads(self.ok("find", scene, "--json", *args).stdout)
+        answer: Json = json.loads(self.ok("find", scene, "--json", *args).stdout)
         return answer
 
     def listed(self, section: str) -> list[str]:
@@ -79,3 +84,18 @@ class Octocell:
 
 # Runs the program in a folder of the test's, checks that it refuses as it should, returns its line.
 Refused = Callable[..., str]
+
+
+def load(path: Path) -> Json:
+    document: Json = json.loads(path.read_text(encoding="utf-8"))
+    return document
+
+
+def module_of(script: Path) -> ModuleType:
+    """A script that lies in no folder for imports."""
+    spec = importlib.util.spec_from_file_location(script.stem, script)
+    assert spec and spec.loader
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[script.stem] = module  # its dataclass looks itself up
+    spec.loader.exec_module(module)
+    return module

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import importlib.util
-import json
 import subprocess
 import sys
 from pathlib import Path
@@ -12,19 +10,10 @@ from types import ModuleType
 
 import pytest
 
-from program import ROOT
+from program import ROOT, Json, load, module_of
 
 CAMPAIGN = ROOT / "tests/fuzz/campaign.py"
 SANITIZERS = ROOT / "tests/hazards/sanitizers.py"
-
-
-def module_of(path: Path) -> ModuleType:
-    spec = importlib.util.spec_from_file_location(path.stem, path)
-    assert spec and spec.loader
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[path.stem] = module  # its dataclass looks itself up
-    spec.loader.exec_module(module)
-    return module
 
 
 @pytest.fixture(scope="module")
@@ -52,14 +41,13 @@ def fuzzer(folder: Path, name: str, runs: int, code: int = 0) -> None:
     path.chmod(0o755)
 
 
-def run(folder: Path) -> tuple[int, dict[str, object]]:
+def run(folder: Path) -> tuple[int, Json]:
     out = folder / "new" / "fuzz.json"
     command = [sys.executable, str(CAMPAIGN), "--build", str(folder), "-o", str(out)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode in (0, 1), done.stderr
     assert "stat::number_of_executed_units" in done.stdout  # shown as it comes
-    document: dict[str, object] = json.loads(out.read_text(encoding="utf-8"))
-    return done.returncode, document
+    return done.returncode, load(out)
 
 
 def test_a_campaign_is_written_down(tmp_path: Path) -> None:
@@ -115,7 +103,7 @@ def test_logs_become_a_result(tmp_path: Path) -> None:
     (tmp_path / "b.log").write_text("========= ERROR SUMMARY: 2 errors\n", encoding="utf-8")
     done = sanitize(tmp_path, f"ASan + UBSan={tmp_path}/a.log", f"memcheck={tmp_path}/b.log")
     assert done.returncode == 1, done.stderr
-    document = json.loads((tmp_path / "out.json").read_text(encoding="utf-8"))
+    document = load(tmp_path / "out.json")
     assert document["tools"] == [
         {"name": "ASan + UBSan", "tests": 215, "reports": 0},
         {"name": "memcheck", "tests": 1, "reports": 2},

@@ -3,18 +3,16 @@
 
 from __future__ import annotations
 
-import json
 import re
 import signal
 import subprocess
 import time
 from collections import Counter
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from program import Octocell, Refused
+from program import Json, Octocell, Refused, load
 
 ROUNDS = 2
 RUNS = ("cold", "warm", "first_update", "update")  # of a baseline
@@ -28,13 +26,6 @@ ROW = """name backend kind method rule predicate skips scene n threads run exhib
 status reason pairs checksum missed false duplicates worst_missed_depth worst_false_gap
 distinct_checksums candidates doubts iterations total_ms stage_ms marked_total_ms
 plan_ms plan fused stage_bytes peak_bytes device_bytes output_bytes""".split()
-
-Json = dict[str, Any]
-
-
-def load(path: Path) -> Json:
-    document: Json = json.loads(path.read_text(encoding="utf-8"))
-    return document
 
 
 @pytest.fixture(scope="module")

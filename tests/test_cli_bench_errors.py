@@ -3,23 +3,14 @@
 
 from __future__ import annotations
 
-import json
 import re
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-from program import Octocell, Refused
+from program import Octocell, Refused, load
 
 TINY = ("--rounds", 2, "--benchmark_min_time=0.001")
-
-Json = dict[str, Any]
-
-
-def load(path: Path) -> Json:
-    document: Json = json.loads(path.read_text(encoding="utf-8"))
-    return document
 
 
 def test_rounding_is_reported_apart_from_the_rows(octocell: Octocell, tmp_path: Path) -> None:

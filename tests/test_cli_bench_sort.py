@@ -3,17 +3,15 @@
 
 from __future__ import annotations
 
-import json
 import signal
 import subprocess
 import time
 from pathlib import Path
 from statistics import median
-from typing import Any
 
 import pytest
 
-from program import Octocell, Refused
+from program import Json, Octocell, Refused, load
 
 ROUNDS = 2
 TINY = ("--device", "cpu", "--rounds", ROUNDS, "--threads", 2, "--filter", "n:4096/bits:(8|32)/")
@@ -28,13 +26,6 @@ SORTS = {  # name: stable, packed, thread counts; the last two may be missing fr
     "highway_vqsort": (False, True, [1]),
 }
 OPTIONAL = {"tbb_parallel_sort": "tbb", "highway_vqsort": "highway"}
-
-Json = dict[str, Any]
-
-
-def load(path: Path) -> Json:
-    document: Json = json.loads(path.read_text(encoding="utf-8"))
-    return document
 
 
 @pytest.fixture(scope="module")

@@ -3,22 +3,20 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
-from program import Octocell, Refused
+from program import Json, Octocell, Refused, load
 
 TINY = ("--rounds", 2, "--no-memory")
 FRAMES = 6
 
 
-def dynamic(octocell: Octocell, tmp_path: Path, *args: object) -> dict[str, Any]:
+def dynamic(octocell: Octocell, tmp_path: Path, *args: object) -> Json:
     octocell.ok("bench", *args, "-o", tmp_path / "x.json", *TINY)
-    document: dict[str, Any] = json.loads((tmp_path / "x.json").read_text(encoding="utf-8"))
+    document = load(tmp_path / "x.json")
     unavailable = octocell.unavailable()
     document["rows"] = [row for row in document["rows"] if row["backend"] not in unavailable]
     return document

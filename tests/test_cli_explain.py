@@ -7,17 +7,15 @@ import json
 import os
 import re
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from program import ROOT, Octocell, Refused
+from program import ROOT, Json, Octocell, Refused, load
 
 SKIPS = re.findall(
     r'^    \{"(\w+)",', (ROOT / "harness/interface/skips.hpp").read_text(), re.MULTILINE
 )
 SCENES = ("gas:n=60", "gas:n=3000", "giant:n=3000", "discs:n=3000", "chain:n=3000", "identical:n=99")
-Json = dict[str, Any]
 
 
 def explained(octocell: Octocell, scene: str, *args: object) -> Json:
@@ -109,7 +107,7 @@ def test_calibration_is_stored_and_changes_no_answer(octocell: Octocell, tmp_pat
     environment = {**os.environ, "OCTOCELL_CALIBRATION": str(path)}
     text = octocell.ok("calibrate", env=environment, timeout=200).stdout
     assert str(path) in text
-    stored = json.loads(path.read_text())
+    stored = load(path)
     assert "impl_cpu" in stored["backends"]
     assert all(0 < f < 1000 for factors in stored["backends"].values() for f in factors.values())
     found = octocell.ok("find", "gas:n=3000", "--json", env=environment).stdout

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +12,7 @@ from numpy.typing import NDArray
 
 from exact import Pairs, checksum, exact_pairs
 from hard_scenes import SCENES
-from program import Octocell, Refused
+from program import Octocell, Refused, load
 
 Words = NDArray[np.uint32]  # static: bit 15; group: below it; mask: above it
 
@@ -102,7 +101,7 @@ def test_frames_with_static_spheres_are_exact(
 ) -> None:
     args = ("--motion", motion, "--frames", 6, "--rounds", 1, "--no-memory")
     octocell.ok("bench", "gas:n=500,static=0.6,groups=3", *args, "-o", tmp_path / "x.json")
-    document = json.loads((tmp_path / "x.json").read_text(encoding="utf-8"))
+    document = load(tmp_path / "x.json")
     rows = [row for row in document["rows"] if row["backend"] not in octocell.unavailable()]
     assert rows and {row["status"] for row in rows} == {"ok"}
     assert "static=0.6,groups=3" in document["groups"][0]["spec"]
@@ -112,7 +111,7 @@ def test_bench_takes_a_side_file(octocell: Octocell, tmp_path: Path) -> None:
     np.save(tmp_path / "static.npy", np.arange(300) % 2 == 0)
     args = ("--flags", tmp_path / "static.npy", "--backend", "impl_cpu", "--rounds", 1)
     octocell.ok("bench", "dense:n=300", *args, "-o", tmp_path / "x.json")
-    document = json.loads((tmp_path / "x.json").read_text(encoding="utf-8"))
+    document = load(tmp_path / "x.json")
     group = document["groups"][0]
     expected = octocell.find("dense:n=300", "--flags", tmp_path / "static.npy")
     assert group["truth"]["pairs"] == expected["pairs"] > 0

@@ -1,17 +1,16 @@
 # SPDX-License-Identifier: MIT
 """octocell near-ties: the predicate against integers, on pairs that nearly touch."""
 
-import json
 from pathlib import Path
 
-from program import Octocell
+from program import Octocell, load
 
 FAMILIES = ["tangent", "offset", "exponents", "lattice", "wide", "decimals"]
 
 
 def test_counts_near_ties_of_every_family(octocell: Octocell, tmp_path: Path) -> None:
     octocell.ok("near-ties", "--pairs", "2000", "-o", tmp_path / "near_ties.json")
-    document = json.loads((tmp_path / "near_ties.json").read_text(encoding="utf-8"))
+    document = load(tmp_path / "near_ties.json")
     assert document["where"] == "CPU" and "commit" in document["context"]
     assert [family["name"] for family in document["families"]] == FAMILIES
     for family in document["families"]:

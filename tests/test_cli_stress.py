@@ -3,24 +3,15 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from program import Octocell, Refused
+from program import Json, Octocell, Refused, load
 
 ROW = """entry implementation backend kind method rule status cases spheres pairs missed false
 duplicates candidates worst_case reason seconds""".split()
 NOT_RUN = ["H42", "H43", "H44"]
-
-Json = dict[str, Any]
-
-
-def load(path: Path) -> Json:
-    document: Json = json.loads(path.read_text(encoding="utf-8"))
-    return document
 
 
 @pytest.fixture(scope="module")

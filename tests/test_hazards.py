@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import subprocess
 import sys
 from pathlib import Path
@@ -11,19 +10,14 @@ from types import ModuleType
 
 import pytest
 
-from program import ROOT
+from program import ROOT, module_of
 
 SCRIPT = ROOT / "tests/hazards/compilers.py"
 
 
 @pytest.fixture(scope="module")
 def compilers() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("compilers", SCRIPT)
-    assert spec and spec.loader
-    module = importlib.util.module_from_spec(spec)
-    sys.modules["compilers"] = module  # its dataclass looks itself up
-    spec.loader.exec_module(module)
-    return module
+    return module_of(SCRIPT)
 
 
 def test_two_configurations_give_the_same_checksums(tmp_path: Path) -> None:
