@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from octocell_report import __version__
-from octocell_report.fields import ReportError
+from octocell_report.fields import ReportError, naming
 from octocell_report.load import Result, load
 
 if TYPE_CHECKING:
@@ -152,10 +152,8 @@ def _loaded_error(paths: list[Path]) -> Study:
     from octocell_report.error import Study, require
 
     study = Study(load(path) for path in paths)
-    try:
+    with naming(", ".join(map(str, paths))):
         require(study)
-    except ReportError as error:
-        raise ReportError(f"{', '.join(map(str, paths))}: {error}") from error
     return study
 
 
@@ -163,10 +161,8 @@ def _loaded_ablation(path: Path) -> Result:
     from octocell_report.ablation import require
 
     result = load(path)
-    try:
+    with naming(path):
         require(result)
-    except ReportError as error:
-        raise ReportError(f"{path}: {error}") from error
     return result
 
 

@@ -7,7 +7,6 @@ in the folder given or in one below it, which is named after the machine.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -27,6 +26,7 @@ from octocell_report.fields import (
     one_of,
     or_null,
 )
+from octocell_report.files import read_json
 
 ENDINGS = ("exact", "skipped", "refused", "late", "crashed", "wrong")  # of a stress case
 MUTANTS = ("killed", "survived", "not_run")
@@ -154,19 +154,13 @@ def read(folders: Iterable[Path]) -> Evidence:
 
 
 def _file(path: Path, kind: str) -> list[Any]:
-    try:
-        document = json.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise ReportError(f"{path}: cannot be read: {error.strerror}") from error
-    except (UnicodeDecodeError, json.JSONDecodeError, RecursionError) as error:
-        raise ReportError(f"{path}: not JSON: {error}") from error
-    try:
+    def parse(document: Any) -> list[Any]:
         fields = Fields(document, "result")
         if fields.optional("kind", is_text) not in (None, kind):
             raise ReportError(f"its kind is '{document['kind']}', and its name says '{kind}'")
         return _READERS[kind](fields, _source(path, fields))
-    except ReportError as error:
-        raise ReportError(f"{path}: {error}") from error
+
+    return read_json(path, parse)
 
 
 def _source(path: Path, document: Fields) -> Source:

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 Json = dict[str, Any]
@@ -13,6 +14,15 @@ Json = dict[str, Any]
 
 class ReportError(Exception):
     """Input that cannot be reported on; the message is one line for people."""
+
+
+@contextmanager
+def naming(what: object) -> Iterator[None]:
+    """An error in here says whose it is: a file's, say."""
+    try:
+        yield
+    except ReportError as error:
+        raise ReportError(f"{what}: {error}") from error
 
 
 # What a value may be: a word for the message, and the test.

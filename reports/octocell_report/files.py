@@ -1,16 +1,41 @@
 # SPDX-License-Identifier: MIT
-"""Output that is there whole or not at all."""
+"""Input that is named when it cannot be read; output that is there whole or not at all."""
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any, TypeVar
 
-from octocell_report.fields import ReportError
+from octocell_report.fields import ReportError, naming
+
+_Parsed = TypeVar("_Parsed")
+
+
+def read_text(path: Path) -> str:
+    """With the ends of lines as they are. Throws ReportError naming the file."""
+    try:
+        with path.open(encoding="utf-8", newline="") as stream:
+            return stream.read()
+    except (OSError, UnicodeDecodeError) as error:
+        why = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
+        raise ReportError(f"{path}: cannot be read: {why}") from error
+
+
+def read_json(path: Path, parse: Callable[[Any], _Parsed]) -> _Parsed:
+    """What parse makes of the document; its errors name the file, too."""
+    text = read_text(path)
+    with naming(path):
+        try:
+            document = json.loads(text)
+        except (json.JSONDecodeError, RecursionError) as error:
+            raise ReportError(f"not JSON: {error}") from error
+        return parse(document)
 
 
 @contextmanager

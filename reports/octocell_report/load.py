@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -30,6 +29,7 @@ from octocell_report.fields import (
     one_of,
     or_null,
 )
+from octocell_report.files import read_json
 from octocell_report.groups import Group as Group  # others take both from here
 from octocell_report.groups import Place as Place
 from octocell_report.groups import group_of
@@ -166,19 +166,7 @@ class Result:
 
 def load(path: Path) -> Result:
     """Reads and checks one result. Throws ReportError naming the file, and the row if it is one."""
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        why = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
-        raise ReportError(f"{path}: cannot be read: {why}") from error
-    try:
-        document = json.loads(text)
-    except (json.JSONDecodeError, RecursionError) as error:
-        raise ReportError(f"{path}: not JSON: {error}") from error
-    try:
-        return parse(document)
-    except ReportError as error:
-        raise ReportError(f"{path}: {error}") from error
+    return read_json(path, parse)
 
 
 def parse(document: Any) -> Result:

@@ -19,8 +19,8 @@ from pathlib import Path
 from statistics import median
 
 from octocell_report import evidence, readme_gpu, readme_promise, readme_sorts, sort, tables, words
-from octocell_report.fields import ReportError
-from octocell_report.files import replace_text
+from octocell_report.fields import ReportError, naming
+from octocell_report.files import read_text, replace_text
 from octocell_report.load import Impl, Place, Result, Row, load
 from octocell_report.markdown import line as _line
 from octocell_report.markdown import rule as _rule
@@ -40,16 +40,9 @@ def rewrite(
 
     Without a result only the promise's blocks are written, from the folders if they name none.
     """
-    try:
-        with path.open(encoding="utf-8", newline="") as stream:
-            text = stream.read()
-    except (OSError, UnicodeDecodeError) as error:
-        why = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
-        raise ReportError(f"{path}: cannot be read: {why}") from error
-    try:
+    text = read_text(path)
+    with naming(path):
         fresh, differing = filled(result, text, path.parent, folders)
-    except ReportError as error:
-        raise ReportError(f"{path}: {error}") from error
     if differing and not check_only:
         replace_text(path, fresh)
     return differing

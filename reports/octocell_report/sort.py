@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
@@ -25,6 +24,7 @@ from octocell_report.fields import (
     one_of,
     or_null,
 )
+from octocell_report.files import read_json
 
 SCHEMA, KIND = 1, "sort"
 STATUSES = ("ok", "wrong", "skipped")
@@ -99,16 +99,7 @@ class SortResult:
 
 def load(path: Path) -> SortResult:
     """Reads and checks one result. Throws ReportError naming the file, and the row if it is one."""
-    try:
-        document = json.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise ReportError(f"{path}: cannot be read: {error.strerror}") from error
-    except (UnicodeDecodeError, json.JSONDecodeError, RecursionError) as error:
-        raise ReportError(f"{path}: not JSON: {error}") from error
-    try:
-        return parse(document)
-    except ReportError as error:
-        raise ReportError(f"{path}: {error}") from error
+    return read_json(path, parse)
 
 
 def parse(document: Any) -> SortResult:
