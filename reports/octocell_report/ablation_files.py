@@ -9,20 +9,27 @@ from typing import Any
 
 import pandas as pd
 
-from octocell_report import ablation, findings_ablation, images, markdown, plots, tables, words
+from octocell_report import (
+    ablation,
+    findings_ablation,
+    frames,
+    images,
+    markdown,
+    plots,
+    tables,
+    words,
+)
 from octocell_report.ablation import Regret, Study
 from octocell_report.files import staged_folder
 from octocell_report.language import tell
 from octocell_report.load import Result, Row
-from octocell_report.spread import Estimate
 
 TABLES = ("ablation.csv", "regret.csv", "ablation.md")
 
 
 def owned_names() -> set[str]:
     """Every file that write() may write."""
-    drawn = {f"{name}.{end}" for name in plots.ABLATION_NAMES for end in images.ENDINGS}
-    return drawn | set(TABLES)
+    return images.files_of(plots.ABLATION_NAMES) | set(TABLES)
 
 
 def build(result: Result, folder: Path) -> list[str]:
@@ -60,7 +67,7 @@ def _row(study: Study, row: Row) -> dict[str, Any]:
         "max_ms": max(row.round_ms, default=None),
         "ns_per_sphere": tables.ns_per_sphere(row) if ran else None,
         "rounds": len(row.round_ms),
-        **_estimate("by_planned", ablation.by_planned(study, row)),
+        **frames.estimate("by_planned", ablation.by_planned(study, row)),
         "plan_method": plan.method if plan else None,
         "plan_levels": plan.levels if plan else None,
         "plan_key_bits": plan.key_bits if plan else None,
@@ -77,14 +84,6 @@ def _head(study: Study) -> dict[str, Any]:
     }
 
 
-def _estimate(name: str, value: Estimate | None) -> dict[str, float | None]:
-    return {
-        f"{name}_median": value.median if value else None,
-        f"{name}_low": value.low if value else None,
-        f"{name}_high": value.high if value else None,
-    }
-
-
 def regret_frame(result: Result) -> pd.DataFrame:
     return pd.DataFrame(
         {
@@ -94,7 +93,7 @@ def regret_frame(result: Result) -> pd.DataFrame:
             "best_ms": median(found.best.round_ms),
             "choices": found.choices,
             "same_plan": found.same_plan,
-            **_estimate("regret", found.ratio),
+            **frames.estimate("regret", found.ratio),
             "rounds": found.ratio.rounds,
             "verdict": found.verdict,
         }
@@ -106,12 +105,8 @@ def text(result: Result, folder: Path) -> str:
     """Figures that lie in the folder, each with its sentences, and the numbers as tables."""
     parts = [f"# {tell('en', 'ablation')}", findings_ablation.origin(result)]
     numbers = {"ablation_skips": _skips_table, "ablation_regret": _regret_table}
-    for name in plots.ABLATION_NAMES:
-        if not (folder / f"{name}.png").exists():
-            continue
-        title = tell("en", f"title_{name}")
-        parts += [f"## {title}", " ".join(findings_ablation.sentences(result, name))]
-        parts += [tell("en", f"how_{name}"), f"![{title}]({name}.png)"]
+    for name in images.drawn(plots.ABLATION_NAMES, folder):
+        parts += markdown.chapter(name, findings_ablation.sentences(result, name))
         if name in numbers:
             parts.append(numbers[name](result))
     return "\n\n".join(parts) + "\n"
@@ -120,12 +115,12 @@ def text(result: Result, folder: Path) -> str:
 def _skips_table(result: Result) -> str:
     studies = ablation.studies(result)
     skips = ablation.skips_of(studies)
-    lines = [markdown.line(["scene", "backend", *skips]), markdown.rule(2 + len(skips))]
+    lines = []
     for study in studies:
         cells = {effect.skip: _skip_cell(effect) for effect in ablation.effects(study)}
         row = [cells.get(skip, words.NONE) for skip in skips]
-        lines.append(markdown.line([study.title, study.key.backend, *row]))
-    return "\n".join(lines)
+        lines.append([study.title, study.key.backend, *row])
+    return markdown.table(["scene", "backend", *skips], lines)
 
 
 def _skip_cell(effect: ablation.Effect) -> str:
@@ -136,22 +131,10 @@ def _skip_cell(effect: ablation.Effect) -> str:
 
 
 def _regret_table(result: Result) -> str:
-    header = [
-        "scene",
-        "backend",
-        "planned [ms]",
-        "best [ms]",
-        "best",
-        "regret",
-        "interval",
-        "verdict",
-    ]
-    lines = [markdown.line(header), markdown.rule(len(header))]
-    lines += [
-        markdown.line(_regret_cells(regret))
-        for regret in ablation.regrets(ablation.studies(result))
-    ]
-    return "\n".join(lines)
+    header = ["scene", "backend", "planned [ms]", "best [ms]", "best"]
+    header += ["regret", "interval", "verdict"]
+    every = ablation.regrets(ablation.studies(result))
+    return markdown.table(header, list(map(_regret_cells, every)))
 
 
 def _regret_cells(regret: Regret) -> list[str]:

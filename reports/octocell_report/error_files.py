@@ -4,24 +4,21 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import pandas as pd
 
-from octocell_report import findings_error, images, markdown, page_error, plots
+from octocell_report import findings_error, frames, images, markdown, page_error, plots
 from octocell_report.error import MILLION, Study
 from octocell_report.files import staged_folder
 from octocell_report.language import tell
 from octocell_report.page_tables import Table
-from octocell_report.spread import Estimate
 
 TABLES = ("error.csv", "error_costs.csv", "error_rounding.csv", "error.md")
 
 
 def owned_names() -> set[str]:
     """Every file that write() may write."""
-    drawn = {f"{name}.{end}" for name in plots.ERROR_NAMES for end in images.ENDINGS}
-    return drawn | set(TABLES)
+    return images.files_of(plots.ERROR_NAMES) | set(TABLES)
 
 
 def build(study: Study, folder: Path) -> list[str]:
@@ -33,11 +30,8 @@ def build(study: Study, folder: Path) -> list[str]:
 
 def write(study: Study, folder: Path) -> None:
     images.write(plots.draw_error(study), folder)
-    frames = {"error": points_frame, "error_costs": costs_frame, "error_rounding": rounding_frame}
-    for name, make in frames.items():
-        frame = make(study)
-        if not frame.empty:
-            frame.convert_dtypes().to_csv(folder / f"{name}.csv", index=False)
+    made = {"error": points_frame, "error_costs": costs_frame, "error_rounding": rounding_frame}
+    frames.write({name: make(study) for name, make in made.items()}, folder)
     (folder / "error.md").write_text(text(study, folder), encoding="utf-8")
 
 
@@ -68,21 +62,13 @@ def costs_frame(study: Study) -> pd.DataFrame:
     return pd.DataFrame(
         {
             **{"scene": cost.place.scene, "n": cost.place.n, "backend": cost.backend},
-            **_estimate("deciding_stages", cost.stages),
-            **_estimate("whole", cost.whole),
+            **frames.estimate("deciding_stages", cost.stages),
+            **frames.estimate("whole", cost.whole),
             "rounds": cost.whole.rounds,
             "candidates_per_pair": cost.candidates,
         }
         for cost in study.costs
     )
-
-
-def _estimate(name: str, value: Estimate | None) -> dict[str, Any]:
-    return {
-        f"{name}_median": value.median if value else None,
-        f"{name}_low": value.low if value else None,
-        f"{name}_high": value.high if value else None,
-    }
 
 
 def rounding_frame(study: Study) -> pd.DataFrame:
@@ -99,12 +85,8 @@ def rounding_frame(study: Study) -> pd.DataFrame:
 def text(study: Study, folder: Path) -> str:
     """Figures that lie in the folder, each with its sentences, and the numbers as tables."""
     parts = [f"# {tell('en', 'error')}", " ".join(findings_error.origins(study))]
-    for name in plots.ERROR_NAMES:
-        if not (folder / f"{name}.png").exists():
-            continue
-        title = tell("en", f"title_{name}")
-        parts += [f"## {title}", " ".join(findings_error.sentences(study, name))]
-        parts += [tell("en", f"how_{name}"), f"![{title}]({name}.png)"]
+    for name in images.drawn(plots.ERROR_NAMES, folder):
+        parts += markdown.chapter(name, findings_error.sentences(study, name))
     costs, rounding = page_error.costs(study), page_error.rounding(study)
     if costs:
         seen = " ".join(findings_error.prices(study))
@@ -116,9 +98,8 @@ def text(study: Study, folder: Path) -> str:
 
 def _table(table: Table) -> str:
     header = [_english(name) for name, _ in table.columns]
-    lines = [[_english(cell.text) for cell in line.cells] for line in table.lines]
-    return "\n".join(
-        [markdown.line(header), markdown.rule(len(header)), *map(markdown.line, lines)]
+    return markdown.table(
+        header, [[_english(cell.text) for cell in line.cells] for line in table.lines]
     )
 
 

@@ -3,12 +3,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from pathlib import Path
 from statistics import median
 
 import pandas as pd
 
 from octocell_report import bandwidth, dynamic, tables, words
 from octocell_report.load import DEVICE_RUNS, RUNS, Result
+from octocell_report.spread import Estimate
 
 
 def times_frame(result: Result) -> pd.DataFrame:
@@ -201,3 +204,19 @@ NAMES = tuple(_FRAMES)  # of the CSV files, without their ending
 def all_frames(result: Result) -> dict[str, pd.DataFrame]:
     """By name; a question without an answer in this result has an empty frame."""
     return {name: frame(result) for name, frame in _FRAMES.items()}
+
+
+def write(tables: Mapping[str, pd.DataFrame], folder: Path) -> None:
+    """Each as NAME.csv; an empty one has no file."""
+    for name, table in tables.items():
+        if not table.empty:
+            table.convert_dtypes().to_csv(folder / f"{name}.csv", index=False)
+
+
+def estimate(name: str, value: Estimate | None) -> dict[str, float | None]:
+    """An estimate as columns."""
+    return {
+        f"{name}_median": value.median if value else None,
+        f"{name}_low": value.low if value else None,
+        f"{name}_high": value.high if value else None,
+    }

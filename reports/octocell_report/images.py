@@ -24,6 +24,16 @@ def write(figures: Iterable[tuple[str, Figure]], folder: Path) -> None:
         figure.savefig(folder / f"{name}.svg", metadata={"Date": None})
 
 
+def files_of(names: Iterable[str]) -> set[str]:
+    """What write() may write of figures with these names."""
+    return {f"{name}.{ending}" for name in names for ending in ENDINGS}
+
+
+def drawn(names: Iterable[str], folder: Path) -> list[str]:
+    """Those that had something to show, so that they lie in the folder."""
+    return [name for name in names if (folder / f"{name}.png").exists()]
+
+
 def _save(figure: Figure, path: Path) -> None:
     """With 256 colours: a third of the size, and no difference to the eye in a plot."""
     buffer = io.BytesIO()

@@ -59,8 +59,8 @@ class Section:
 
 def owned_names() -> set[str]:
     """Every file that a build may write."""
-    drawn = {f"{name}.{ending}" for name in plots.NAMES for ending in images.ENDINGS}
-    return {"index.html"} | drawn | {f"{name}.csv" for name in frames.NAMES}
+    tables = {f"{name}.csv" for name in frames.NAMES}
+    return {"index.html"} | images.files_of(plots.NAMES) | tables
 
 
 def build(
@@ -79,9 +79,7 @@ def build(
             ablation_files.write(ablation, staging)
         if error:
             error_files.write(error, staging)
-        for name, frame in frames.all_frames(result).items():
-            if not frame.empty:
-                frame.convert_dtypes().to_csv(staging / f"{name}.csv", index=False)
+        frames.write(frames.all_frames(result), staging)
         html = render(result, staging, ablation, error)
         (staging / "index.html").write_text(html, encoding="utf-8")
         return sorted(path.name for path in staging.iterdir())
@@ -170,12 +168,9 @@ def _sections(
 ) -> list[Section]:
     """Of those plots that lie in the folder."""
     found = []
-    for name in names:
-        path = folder / f"{name}.png"
-        if path.exists():
-            sentences = all_of(partial(told, name))
-            title, how = say(f"title_{name}"), say(f"how_{name}")
-            found.append(Section(name, title, sentences, how, images.data_uri(path)))
+    for name in images.drawn(names, folder):
+        sentences, image = all_of(partial(told, name)), images.data_uri(folder / f"{name}.png")
+        found.append(Section(name, say(f"title_{name}"), sentences, say(f"how_{name}"), image))
     return found
 
 

@@ -22,8 +22,7 @@ from octocell_report import evidence, readme_gpu, readme_promise, readme_sorts, 
 from octocell_report.fields import ReportError, naming
 from octocell_report.files import read_text, replace_text
 from octocell_report.load import Impl, Place, Result, Row, load
-from octocell_report.markdown import line as _line
-from octocell_report.markdown import rule as _rule
+from octocell_report.markdown import table
 from octocell_report.sort import SortResult
 
 SCENE = "gas"  # the plain scene: the table of speeds is about it alone
@@ -111,18 +110,19 @@ def speed(result: Result) -> str:
     titles = words.titles(result)
     references = _references(result, place)
     header = ["implementation", *(f"vs {name}" for name in references)]
-    lines = [_line([*header, *(f"{run} [ms]" for run in RUNS)]), _rule(len(header) + len(RUNS))]
+    header += [f"{run} [ms]" for run in RUNS]
+    lines = []
     for impl in result.impls:
         rows = {r.run: r for run in RUNS for r in result.at(place, run) if r.impl == impl}
         if rows:
-            lines.append(_line([titles[impl], *_speeds(rows, references)]))
+            lines.append([titles[impl], *_speeds(rows, references)])
     named = [_named(name, rows) for name, rows in references.items() if name != NAMED]
     note = (
         f"Scene {SCENE}, {words.grouped(place.n)} spheres. Ratios are cold / warm, baseline time "
         "by the row's time within interleaved rounds, median; above 1 is faster than the baseline. "
         "Times are this machine's."
     )
-    return "\n".join([*lines, "", " ".join([note, *named])])
+    return table(header, lines, " ".join([note, *named]))
 
 
 def _named(name: str, rows: dict[str, Row]) -> str:
@@ -180,7 +180,7 @@ def moving(result: Result) -> str:
     largest = {scene: result.largest(scene) for scene in result.scenes}
     header = ["scene", "spheres", "implementation", "frame [ms]"]
     header += [f"vs fastest {words.family_title(family)}" for family in families]
-    lines = [_line(header), _rule(len(header))]
+    lines = []
     for place in dict.fromkeys(r.place for r in ratios if r.place == largest[r.place.scene]):
         for row in result.at(place, "dynamic"):
             held = {r.family: r for r in ratios if (r.impl, r.place) == (row.impl, place)}
@@ -188,27 +188,27 @@ def moving(result: Result) -> str:
                 cells = [words.ratio(held[f].median) if f in held else words.NONE for f in families]
                 time = words.number(row.median_ms)
                 size = words.grouped(place.n)
-                lines.append(_line([place.scene, size, titles[row.impl], time, *cells]))
+                lines.append([place.scene, size, titles[row.impl], time, *cells])
     note = (
-        "Median frame after those that settle a structure. Ours builds anew, or reuses what is proved to hold still; a "
-        "library updates what stands. The ratio is the library's fastest frame time by the row's."
+        "Median frame after those that settle a structure. Ours builds anew, or reuses what is "
+        "proved to hold still; a library updates what stands. The ratio is the library's fastest "
+        "frame time by the row's."
     )
-    return "\n".join([*lines, "", note])
+    return table(header, lines, note)
 
 
 def correctness(result: Result) -> str:
     """Implementations down, scenes across; what stands in a cell holds for all its sizes."""
     titles, cells = words.titles(result), tables.correctness(result)
-    lines = [_line(["implementation", *result.scenes]), _rule(1 + len(result.scenes))]
-    for impl in result.impls:
-        lines.append(
-            _line([titles[impl], *(_scene_cell(result, cells, impl, s) for s in result.scenes)])
-        )
+    lines = [
+        [titles[impl], *(_scene_cell(result, cells, impl, scene) for scene in result.scenes)]
+        for impl in result.impls
+    ]
     note = (
         f"{words.MINUS} pairs missed, + pairs that are none, × pairs given more than once; at the "
         "largest size that is wrong."
     )
-    return "\n".join([*lines, "", note])
+    return table(["implementation", *result.scenes], lines, note)
 
 
 def _scene_cell(
