@@ -11,6 +11,7 @@ import pandas as pd
 
 from octocell_report import (
     ablation,
+    findings,
     findings_ablation,
     frames,
     images,
@@ -103,7 +104,7 @@ def regret_frame(result: Result) -> pd.DataFrame:
 
 def text(result: Result, folder: Path) -> str:
     """Figures that lie in the folder, each with its sentences, and the numbers as tables."""
-    parts = [f"# {tell('en', 'ablation')}", findings_ablation.origin(result)]
+    parts = [f"# {tell('en', 'ablation')}", *findings.origins([result])]
     numbers = {"ablation_skips": _skips_table, "ablation_regret": _regret_table}
     for name in images.drawn(plots.ABLATION_NAMES, folder):
         parts += markdown.chapter(name, findings_ablation.sentences(result, name))

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pandas as pd
 
-from octocell_report import findings_error, frames, images, markdown, page_error, plots
+from octocell_report import findings, findings_error, frames, images, markdown, page_error, plots
 from octocell_report.error import MILLION, Study
 from octocell_report.files import staged_folder
 from octocell_report.language import tell
@@ -84,7 +84,7 @@ def rounding_frame(study: Study) -> pd.DataFrame:
 
 def text(study: Study, folder: Path) -> str:
     """Figures that lie in the folder, each with its sentences, and the numbers as tables."""
-    parts = [f"# {tell('en', 'error')}", " ".join(findings_error.origins(study))]
+    parts = [f"# {tell('en', 'error')}", " ".join(findings.origins(study.results))]
     for name in images.drawn(plots.ERROR_NAMES, folder):
         parts += markdown.chapter(name, findings_error.sentences(study, name))
     costs, rounding = page_error.costs(study), page_error.rounding(study)

@@ -4,12 +4,32 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable
 from itertools import product
 from statistics import median
 
 from octocell_report import check, dynamic, tables, words
-from octocell_report.language import listed, spanned, tell
+from octocell_report.language import listed, scenes, spanned, tell
 from octocell_report.load import Result, Row
+
+
+def origins(results: Iterable[Result], language: str = "en") -> list[str]:
+    """Of rows that have files of their own, maybe of several machines: where they come from."""
+    return [_origin(result, language) for result in results]
+
+
+def _origin(result: Result, language: str) -> str:
+    context = result.context
+    commit = tell(language, "commit_dirty" if context["dirty"] else "commit_clean")
+    gpu = f"{result.gpu.name}, " if result.gpu else ""
+    return tell(
+        language,
+        "origin" if context["finished"] else "origin_interrupted",
+        cpu=f"{gpu}{context['machine']['cpu']}",
+        date=context["date"][:10],
+        commit=f"{context['commit'][:12]} ({commit})",
+        rounds=context["rounds"],
+    )
 
 
 def overview(result: Result, language: str = "en") -> list[str]:
@@ -76,8 +96,8 @@ def _time_sentences(
     found = []
     if winners:
         parts = [tell(language, "won", name=n, scenes=count) for n, count in winners.most_common()]
-        scenes, names = _scenes(winners.total(), language), listed(parts, language)
-        found.append(tell(language, "fastest", scenes=scenes, winners=names))
+        values = {"scenes": scenes(winners.total(), language), "winners": listed(parts, language)}
+        found.append(tell(language, "fastest", **values))
     if slopes:
         grown = [
             f"{who} {spanned(b, lambda v: f'n^{v:.2f}', language)}" for who, b in slopes.items()
@@ -94,10 +114,6 @@ def _single_sizes(result: Result, run: str, language: str) -> list[str]:
 
 def _sizes(result: Result, scene: str) -> list[int]:
     return [n for n in result.sizes(scene) if n > 0]
-
-
-def _scenes(n: int, language: str) -> str:
-    return tell(language, "scenes_one" if n == 1 else "scenes", scenes=n)
 
 
 def stages(result: Result, side: str, language: str = "en") -> list[str]:
@@ -118,8 +134,8 @@ def stages(result: Result, side: str, language: str = "en") -> list[str]:
     for stage, count in heaviest.most_common():
         part = spanned(shares[stage], lambda v: f"{v:.0f}", language)
         parts.append(tell(language, "heaviest_one", stage=stage, scenes=count, share=part))
-    scenes, names = _scenes(heaviest.total(), language), listed(parts, language)
-    return [tell(language, f"heaviest_{side}", scenes=scenes, stages=names)]
+    values = {"scenes": scenes(heaviest.total(), language), "stages": listed(parts, language)}
+    return [tell(language, f"heaviest_{side}", **values)]
 
 
 def _heaviest(row: Row) -> tuple[str, float]:

@@ -7,7 +7,7 @@ from collections import Counter
 
 from octocell_report import ablation, check, words
 from octocell_report.ablation import TARGET, Effect, Regret, Step, Study
-from octocell_report.language import listed, spanned, tell
+from octocell_report.language import listed, scenes, spanned, tell
 from octocell_report.load import Result
 from octocell_report.spread import Estimate
 
@@ -21,21 +21,6 @@ def sentences(result: Result, name: str, language: str = "en") -> list[str]:
         text for b, s in ablation.backends(result).items() for text in found[name](b, s, language)
     ]
     return told + (_faults(result, language) if name == "ablation_skips" else [])
-
-
-def origin(result: Result, language: str = "en") -> str:
-    """These rows come from a file of their own, and may come from another machine."""
-    context = result.context
-    key = "ablation_origin" if context["finished"] else "ablation_origin_interrupted"
-    commit = tell(language, "commit_dirty" if context["dirty"] else "commit_clean")
-    return tell(
-        language,
-        key,
-        cpu=context["machine"]["cpu"],
-        date=context["date"][:10],
-        commit=f"{context['commit'][:12]} ({commit})",
-        rounds=context["rounds"],
-    )
 
 
 def _skips(backend: str, studies: list[Study], language: str) -> list[str]:
@@ -91,7 +76,7 @@ def _steps(backend: str, studies: list[Study], language: str) -> list[str]:
             "steps_whole",
             name=backend,
             ratios=spanned([e.median for _, e in held], words.ratio, language),
-            scenes=_scenes(len(held), language),
+            scenes=scenes(len(held), language),
             steps=listed(
                 [_step_of(skip, n, language) for skip, n in best.most_common()]
                 or [tell(language, "steps_no_gain")],
@@ -108,8 +93,8 @@ def _steps(backend: str, studies: list[Study], language: str) -> list[str]:
     return found + _worst_steps(lost, backend, language)
 
 
-def _step_of(skip: str, scenes: int, language: str) -> str:
-    return tell(language, "step_on_scenes", skip=skip, scenes=_scenes(scenes, language))
+def _step_of(skip: str, n: int, language: str) -> str:
+    return tell(language, "step_on_scenes", skip=skip, scenes=scenes(n, language))
 
 
 def _worst_steps(lost: list[tuple[Step, Study]], backend: str, language: str) -> list[str]:
@@ -144,7 +129,7 @@ def _regret(backend: str, studies: list[Study], language: str) -> list[str]:
             name=backend,
             target=target,
             within=counts["within"],
-            scenes=_scenes(len(every), language),
+            scenes=scenes(len(every), language),
             worst=_against(worst, language),
         )
     ]
@@ -163,10 +148,6 @@ def _regret(backend: str, studies: list[Study], language: str) -> list[str]:
 def _against(regret: Regret, language: str) -> str:
     values = {"place": regret.study.title, "choice": ablation.choice(regret.best)}
     return tell(language, "regret_case", ratio=words.ratio(regret.ratio.median), **values)
-
-
-def _scenes(n: int, language: str) -> str:
-    return tell(language, "scenes_one" if n == 1 else "scenes", scenes=n)
 
 
 def _faults(result: Result, language: str) -> list[str]:

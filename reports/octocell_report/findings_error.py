@@ -6,38 +6,17 @@ from __future__ import annotations
 from statistics import median
 
 from octocell_report import words
-from octocell_report.error import Cost, Point, Series, Study, Summary
-from octocell_report.language import listed, spanned, tell
-from octocell_report.load import Result
+from octocell_report.error import Point, Series, Study, Summary
+from octocell_report.language import listed, scenes, spanned, tell
 from octocell_report.predicates import EXACT
 
-_MOST = 3  # named one by one; more are counted
+_MOST = 6  # named one by one; more are counted
 
 
 def sentences(study: Study, name: str, language: str = "en") -> list[str]:
     """Under the figure of that name."""
     found = {"error_pareto": _pareto, "error_depth": _depth, "error_map": _map}
     return found[name](study, language)
-
-
-def origins(study: Study, language: str = "en") -> list[str]:
-    """These rows come from files of their own, maybe of several machines."""
-    return [_origin(result, language) for result in study.results]
-
-
-def _origin(result: Result, language: str) -> str:
-    context = result.context
-    key = "ablation_origin" if context["finished"] else "ablation_origin_interrupted"
-    commit = tell(language, "commit_dirty" if context["dirty"] else "commit_clean")
-    gpu = f"{result.gpu.name}, " if result.gpu else ""
-    return tell(
-        language,
-        key,
-        cpu=f"{gpu}{context['machine']['cpu']}",
-        date=context["date"][:10],
-        commit=f"{context['commit'][:12]} ({commit})",
-        rounds=context["rounds"],
-    )
 
 
 def _pareto(study: Study, language: str) -> list[str]:
@@ -85,7 +64,8 @@ def _case(name: str, point: Point, language: str) -> str:
 def prices(study: Study, language: str = "en") -> list[str]:
     """What exactness costs beside plain float32, backend by backend."""
     found = []
-    for backend, costs in _by_backend(study.costs).items():
+    for backend in dict.fromkeys(cost.backend for cost in study.costs):
+        costs = [cost for cost in study.costs if cost.backend == backend]
         known = [cost.stages for cost in costs if cost.stages]
         if not known:
             continue
@@ -98,19 +78,12 @@ def prices(study: Study, language: str = "en") -> list[str]:
                 name=backend,
                 ratio=words.times(median(estimate.median for estimate in known)),
                 ratios=spanned([estimate.median for estimate in known], words.times, language),
-                scenes=_scenes(len(known), language),
+                scenes=scenes(len(known), language),
                 dearer=dearer,
                 cheaper=cheaper,
                 whole=words.times(median(cost.whole.median for cost in costs)),
             )
         )
-    return found
-
-
-def _by_backend(costs: list[Cost]) -> dict[str, list[Cost]]:
-    found: dict[str, list[Cost]] = {}
-    for cost in costs:
-        found.setdefault(cost.backend, []).append(cost)
     return found
 
 
@@ -200,8 +173,9 @@ def _map(study: Study, language: str) -> list[str]:
     if broken:
         found.append(tell(language, "error_broken", cases=_places(broken, language)))
     elif ours:
-        rows, scenes = len(ours), len({point.row.place for point in ours})
-        found.append(tell(language, "error_kept", rows=rows, scenes=_scenes(scenes, language)))
+        places = len({point.row.place for point in ours})
+        values = {"rows": len(ours), "scenes": scenes(places, language)}
+        found.append(tell(language, "error_kept", **values))
     lost = [p for p in study.points if p.series.predicate is None and p.errors]
     if lost:
         found.append(tell(language, "error_libraries", cases=_places(lost, language)))
@@ -212,11 +186,7 @@ def _map(study: Study, language: str) -> list[str]:
 
 def _places(points: list[Point], language: str) -> str:
     shown = [f"{p.series.label} {words.place(p.row.place)} ({words.losses(p.row)})" for p in points]
-    more = len(shown) - 2 * _MOST
+    more = len(shown) - _MOST
     if more > 0:
-        shown = [*shown[: 2 * _MOST], tell(language, "error_more", count=more)]
+        shown = [*shown[:_MOST], tell(language, "error_more", count=more)]
     return listed(shown, language)
-
-
-def _scenes(n: int, language: str) -> str:
-    return tell(language, "scenes_one" if n == 1 else "scenes", scenes=n)

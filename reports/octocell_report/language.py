@@ -41,6 +41,11 @@ def spanned(values: list[float], show: Callable[[float], str], language: str) ->
     return low if low == high else tell(language, "range", low=low, high=high)
 
 
+def scenes(n: int, language: str) -> str:
+    """'1 scene', '3 scenes'"""
+    return tell(language, "scenes_one" if n == 1 else "scenes", scenes=n)
+
+
 def say(key: str, **values: object) -> Said:
     """The text in both languages; a value that is Said itself goes in by language."""
     return both(lambda language: tell(language, key, **_spoken(values, language)))

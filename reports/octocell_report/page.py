@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -138,38 +138,34 @@ def sections(result: Result, folder: Path) -> list[Section]:
 
 
 def _ablation_sections(ablation: Result | None, folder: Path) -> list[Section]:
-    """After the others; the first says where its rows come from, which is another file."""
     if ablation is None:
         return []
-
-    def told(name: str, spoken: str) -> list[str]:
-        first = name == plots.ABLATION_NAMES[0]
-        origin = [findings_ablation.origin(ablation, spoken)] if first else []
-        return origin + findings_ablation.sentences(ablation, name, spoken)
-
-    return _sections(folder, plots.ABLATION_NAMES, told)
+    told = partial(findings_ablation.sentences, ablation)
+    return _sections(folder, plots.ABLATION_NAMES, told, [ablation])
 
 
 def _error_sections(error: Study | None, folder: Path) -> list[Section]:
-    """The same; its rows may come from several files."""
     if error is None:
         return []
-
-    def told(name: str, spoken: str) -> list[str]:
-        first = name == plots.ERROR_NAMES[0]
-        origins = findings_error.origins(error, spoken) if first else []
-        return origins + findings_error.sentences(error, name, spoken)
-
-    return _sections(folder, plots.ERROR_NAMES, told)
+    told = partial(findings_error.sentences, error)
+    return _sections(folder, plots.ERROR_NAMES, told, error.results)
 
 
 def _sections(
-    folder: Path, names: tuple[str, ...], told: Callable[[str, str], list[str]]
+    folder: Path,
+    names: tuple[str, ...],
+    told: Callable[[str, str], list[str]],
+    others: Sequence[Result] = (),
 ) -> list[Section]:
-    """Of those plots that lie in the folder."""
+    """Of those plots that lie in the folder; the first tells of other results that they show."""
+
+    def seen(name: str, spoken: str) -> list[str]:
+        origins = findings.origins(others, spoken) if name == names[0] else []
+        return origins + told(name, spoken)
+
     found = []
     for name in images.drawn(names, folder):
-        sentences, image = all_of(partial(told, name)), images.data_uri(folder / f"{name}.png")
+        sentences, image = all_of(partial(seen, name)), images.data_uri(folder / f"{name}.png")
         found.append(Section(name, say(f"title_{name}"), sentences, say(f"how_{name}"), image))
     return found
 

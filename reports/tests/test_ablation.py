@@ -277,7 +277,7 @@ def test_sentences_exist_in_both_languages_and_figures_in_one(name):
 
 def test_an_interrupted_run_and_changed_sources_are_told():
     result = studied(*group_rows(), finished=False, dirty=True)
-    told = findings_ablation.origin(result)
+    (told,) = findings.origins([result])
     assert "(dirty)" in told and told.endswith("interrupted, so scenes are missing.")
 
 
