@@ -17,7 +17,7 @@ from typing import NamedTuple
 from octocell_report import tables, words
 from octocell_report.fields import ReportError
 from octocell_report.load import Group, Place, Result, Row
-from octocell_report.predicates import EXACT, FLOAT32, MEANINGS, PREDICATES, SCENE_CLASSES
+from octocell_report.predicates import EXACT, FLOAT32, PREDICATES, SCENE_CLASSES
 from octocell_report.spread import Estimate, estimate
 
 RUN = "warm"
@@ -289,7 +289,3 @@ def _judging_ms(row: Row) -> tuple[float, ...]:
 def _ratio(above: tuple[float, ...], below: tuple[float, ...]) -> Estimate | None:
     rounds = tuple(a / b for a, b in zip(above, below, strict=False) if b > 0)
     return estimate(rounds, SHARE) if rounds else None
-
-
-def meaning(predicate: str) -> str:
-    return MEANINGS[predicate]

@@ -20,6 +20,7 @@ BLUE, VERMILLION, ORANGE, PURPLE = "#0072B2", "#D55E00", "#E69F00", "#CC79A7"
 YELLOW, GREEN, SKY, BLACK = "#F0E442", "#009E73", "#56B4E9", "#000000"
 GREY, WINE = "#999999", "#882255"  # not theirs; for a ninth and a tenth backend
 INK, FAINT, GRID = "#1f2328", "#6a737d", "#e3e6ea"
+EXACT_FILL, NO_ERROR_FILL = "#cfe6f5", "#eaf4ee"  # behind what is exact; what has no error
 
 # Ours look the same in every report; the others share what is left.
 _OURS = {
@@ -118,11 +119,7 @@ class Look:
 
     @property
     def ink(self) -> str:
-        """The colour, as dark as small text needs it on white."""
-        by = 0.0
-        while luminance(darker(self.colour, by)) > 0.15:
-            by += 0.05
-        return darker(self.colour, by)
+        return dark(self.colour)
 
 
 def looks(result: Result) -> dict[Impl, Look]:
@@ -196,7 +193,7 @@ _OWNERS = {
 
 
 def predicate_colour(predicate: str | None) -> str:
-    """Black for libraries, which come as they are."""
+    """Black for libraries, by their names or None: they come as they are."""
     return _PREDICATES.get(predicate or "", BLACK)
 
 

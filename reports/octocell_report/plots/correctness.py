@@ -19,7 +19,7 @@ _BAND = 12  # columns side by side; more go into a band below, or the text gets 
 
 # fill, ink, what it means
 STATES = {
-    "exact": ("#cfe6f5", style.INK, "exact: the very same pairs as the truth"),
+    "exact": (style.EXACT_FILL, style.INK, "exact: the very same pairs as the truth"),
     "wrong": (style.VERMILLION, "white", f"wrong: {words.MINUS}missed +false ×duplicates"),
     "exhibit": ("#fbe3c0", "#7a3a00", "exhibit: a wrong rule, kept to show what it loses"),
     "skipped": ("#e4e6e9", "#4b535b", "skipped"),

@@ -17,7 +17,6 @@ from octocell_report import style, words
 from octocell_report.error import MILLION, Point, Series, Study
 from octocell_report.groups import Place
 
-EXACT_FILL, LUCKY_FILL = "#cfe6f5", "#eaf4ee"
 COLOURS = LinearSegmentedColormap.from_list(
     "errors", ["#fff3dc", style.ORANGE, style.VERMILLION, "#6b2400"]
 )
@@ -47,8 +46,8 @@ def draw(study: Study) -> Figure | None:
     )
     figure.legend(
         handles=[
-            Patch(facecolor=EXACT_FILL, label="exact, as promised"),
-            Patch(facecolor=LUCKY_FILL, label="0: no error here, though none is promised"),
+            Patch(facecolor=style.EXACT_FILL, label="exact, as promised"),
+            Patch(facecolor=style.NO_ERROR_FILL, label="0: no error here, though none is promised"),
             Patch(facecolor="white", edgecolor=style.GRID, label="empty: not run"),
         ],
         loc="outside lower left",
@@ -78,9 +77,9 @@ def _cell(ax: Axes, x: int, y: float, point: Point | None, norm: Normalize) -> N
             Rectangle((x, y), 1, 1, facecolor="white", edgecolor=style.GRID, linewidth=0.6)
         )
         return
-    fill = LUCKY_FILL if point.errors == 0 else to_hex(COLOURS(norm(_height(point))))
+    fill = style.NO_ERROR_FILL if point.errors == 0 else to_hex(COLOURS(norm(_height(point))))
     if point.errors == 0 and point.promised:
-        fill = EXACT_FILL
+        fill = style.EXACT_FILL
     broken = point.errors > 0 and point.promised and point.series.predicate is not None
     if broken:
         box = {"edgecolor": style.BLACK, "linewidth": 2.2, "zorder": 3}

@@ -10,7 +10,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from octocell_report import style
-from octocell_report.error import Series, Study, meaning
+from octocell_report.error import Series, Study
+from octocell_report.predicates import MEANINGS
 
 
 class Frame(NamedTuple):
@@ -94,7 +95,7 @@ def _meanings(figure: Figure, study: Study, frame: Frame) -> None:
         figure.text(
             (box.x1 + 6) / figure.bbox.width,
             (frame.bottom - 1.22 - 0.24 * line) / frame.height,
-            meaning(predicate),
+            MEANINGS[predicate],
             fontsize=10,
             va="top",
         )

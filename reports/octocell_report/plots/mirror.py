@@ -29,7 +29,6 @@ from octocell_report.predicates import EXACT
 
 Measure = Callable[[Point], float | None]  # None where the point has no such error
 
-STRIP = "#eaf4ee"  # behind what has no error
 _LEFT, _RIGHT, _TOP, _BOTTOM = 1.75, 0.15, 1.5, 2.2  # inches around the facets
 _UP, _DOWN, _LANE, _HEAD = 3.4, 2.9, 0.27, 0.42  # inches
 _BOLD, _PALE = 10.5, 5.5  # points
@@ -141,14 +140,13 @@ def _scales(
         ax.tick_params(length=0)
     head = _HEAD / _LANE
     for ax in axes[1]:
-        ax.set_facecolor(STRIP)
+        ax.set_facecolor(style.NO_ERROR_FILL)
         ax.set_ylim(len(lanes) - 0.45, -0.55 - head)
         ax.yaxis.set_major_locator(FixedLocator(list(range(len(lanes)))))
         ax.yaxis.set_major_formatter(FuncFormatter(lambda y, _: lanes[round(y)]))
         ax.grid(axis="x", color="white")
     for tick, lane in zip(axes[1, 0].get_yticklabels(), lanes, strict=True):
-        predicate = lane if lane in study.predicates else None
-        tick.set_color(style.dark(style.predicate_colour(predicate)))
+        tick.set_color(style.dark(style.predicate_colour(lane)))
         tick.set_fontweight("bold" if lane == EXACT else "normal")
     axes[0, 0].set_ylabel(mirror.up.label)
     axes[2, 0].set_ylabel(mirror.down.label)
@@ -202,7 +200,7 @@ class _Facet:
             fontsize=9.5,
             color="#2d6a4a",
             linespacing=1.05,
-            bbox={"facecolor": STRIP, "edgecolor": "none", "pad": 1.5},
+            bbox={"facecolor": style.NO_ERROR_FILL, "edgecolor": "none", "pad": 1.5},
             zorder=2,
         )
         for summary in self.summaries:
@@ -229,10 +227,10 @@ class _Facet:
                     summary.ns, color=style.INK, linewidth=1.2, linestyle=(0, (4, 2)), zorder=1
                 )
             name, how = summary.series.backend, summary.series.predicate
-            time = (
-                f"{how}, {words.number(summary.ns)} ns" if how else f"{words.number(summary.ns)} ns"
+            how = f"{how}, " if how else ""
+            text = (
+                f"fastest exact, {_FRONTS[on_device]}:\n{name}\n{how}{words.number(summary.ns)} ns"
             )
-            text = f"fastest exact, {_FRONTS[on_device]}:\n{name}\n{time}"
             late = summary.ns > middle and len(fronts) == 1
             note = self.up.annotate(
                 text,
@@ -261,14 +259,11 @@ class _Facet:
         for name, marks in lines.items():
             marks.sort()
             line: dict[str, Any] = {"linewidth": 1.3, "alpha": 0.5, "zorder": 2}
-            ax.plot(*zip(*marks, strict=True), color=self._colour(name), **line)
+            ax.plot(*zip(*marks, strict=True), color=style.predicate_colour(name), **line)
         for name, marks in sorted(lines.items(), key=lambda item: -item[1][0][1]):
             look: dict[str, Any] = {"fontsize": 10.5, "weight": "bold", "path_effects": _HALO}
             anchors = [*_gaps(marks), *marks[::-1]]
-            placer.label(name, anchors, color=style.dark(self._colour(name)), **look)
-
-    def _colour(self, name: str) -> str:
-        return style.predicate_colour(name if name in self.study.predicates else None)
+            placer.label(name, anchors, color=style.dark(style.predicate_colour(name)), **look)
 
     def _marks(
         self, ax: Axes, summary: Summary, measure: Measure, placer: Placer
@@ -292,18 +287,13 @@ class _Facet:
     def _mark(self, ax: Axes, series: Series, x: float, y: float, bold: bool) -> None:
         colour, marker = self.looks[series]
         look: dict[str, Any] = {"markersize": _PALE, "alpha": 0.4, "zorder": 3}
-        if bold:
+        look["markeredgewidth"] = 0.0
+        if bold and series.predicate == EXACT:
+            look = {"markersize": _BOLD + 2, "zorder": 6}
+            look |= {"markeredgecolor": style.INK, "markeredgewidth": 1.8}
+        elif bold:
             look = {"markersize": _BOLD, "zorder": 5}
             look |= {"markeredgecolor": style.dark(colour), "markeredgewidth": 1.0}
-            if series.predicate == EXACT:
-                look |= {
-                    "markersize": _BOLD + 2,
-                    "markeredgecolor": style.INK,
-                    "markeredgewidth": 1.8,
-                }
-                look["zorder"] = 6
-        else:
-            look["markeredgewidth"] = 0.0
         ax.plot([x], [y], marker=marker, color=colour, linestyle="none", **look)
 
 
