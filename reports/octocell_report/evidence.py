@@ -38,7 +38,6 @@ class Source:
     """A file, and of which machine and commit it tells."""
 
     path: Path
-    cpu: str
     date: str
     commit: str
 
@@ -138,16 +137,13 @@ class Evidence:
     sanitizers: list[Tool] = field(default_factory=list)
 
 
-KINDS = ("near_ties", "stress", "compilers", "fuzz", "mutants", "sanitizers")
-
-
 def read(folders: Iterable[Path]) -> Evidence:
     """Everything found there; an absent kind is an empty list. Throws ReportError on a bad file."""
     found = Evidence()
     for folder in folders:
         if not folder.is_dir():
             raise ReportError(f"{folder}: is not a folder of results")
-        for kind in KINDS:
+        for kind in _READERS:
             for path in sorted([*folder.glob(f"{kind}*.json"), *folder.glob(f"*/{kind}*.json")]):
                 getattr(found, kind).extend(_file(path, kind))
     return found
@@ -167,13 +163,7 @@ def _source(path: Path, document: Fields) -> Source:
     context = Fields(document.take("context", is_object), "context")
     if context.optional("finished", is_bool) is False:
         raise ReportError("the run was interrupted; only whole runs count")
-    machine = Fields(context.optional("machine", is_object) or {}, "context.machine")
-    return Source(
-        path,
-        cpu=machine.optional("cpu", is_text) or "",
-        date=context.take("date", is_text),
-        commit=context.take("commit", is_text),
-    )
+    return Source(path, context.take("date", is_text), context.take("commit", is_text))
 
 
 _Item = TypeVar("_Item")

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from itertools import groupby
 
 from octocell_report import words
@@ -188,23 +188,17 @@ def _sources(sources: list[Source]) -> str:
 
 def near_ties(evidence: Evidence) -> str:
     """By family, and where it ran."""
-    if not evidence.near_ties:
-        return "Not run yet."
+    ties = evidence.near_ties
     lines = [
         [tie.family, tie.where, tie.source.machine, words.grouped(tie.pairs), _bold(tie.mismatches)]
-        for tie in evidence.near_ties
+        for tie in ties
     ]
-    ties = evidence.near_ties
-    wrong = _mismatches(ties)
-    lines.append(["all", "", "", words.grouped(_pairs(ties)), wrong])
-    header = ["family", "where", "machine", "near ties", "wrong"]
-    return _told(header, lines, evidence.near_ties)
+    lines.append(["all", "", "", words.grouped(_pairs(ties)), _mismatches(ties)])
+    return _told(["family", "where", "machine", "near ties", "wrong"], lines, ties)
 
 
 def stress(evidence: Evidence) -> str:
     """By implementation: how its cases ended."""
-    if not evidence.stress:
-        return "Not run yet."
     lines = []
     rows = sorted(evidence.stress, key=lambda row: row.kind)  # backends first, else as met
     for name in dict.fromkeys(row.implementation for row in rows):
@@ -216,8 +210,6 @@ def stress(evidence: Evidence) -> str:
 
 
 def compilers(evidence: Evidence) -> str:
-    if not evidence.compilers:
-        return "Not run yet."
     lines = []
     for matrix in evidence.compilers:
         for compiler, names in groupby(matrix.configurations, key=lambda name: name.split()[0]):
@@ -227,7 +219,7 @@ def compilers(evidence: Evidence) -> str:
             )
     header = ["compiler", "machine", "configurations", "flags"]
     failures = sum(len(matrix.failures) for matrix in evidence.compilers)
-    checksums = max(matrix.checksums for matrix in evidence.compilers)
+    checksums = max((matrix.checksums for matrix in evidence.compilers), default=0)
     refused = sorted({name.split()[-1] for matrix in evidence.compilers for name in matrix.refused})
     note = f"{checksums} checksums each; failures: {_bold(failures)}."
     if refused:
@@ -236,8 +228,6 @@ def compilers(evidence: Evidence) -> str:
 
 
 def mutants(evidence: Evidence) -> str:
-    if not evidence.mutants:
-        return "Not run yet."
     lines = [
         [f"`{mutant.name}`", mutant.what, _status(mutant), mutant.killed_by or words.NONE]
         for mutant in _best(evidence.mutants)
@@ -254,8 +244,6 @@ def _status(mutant: Mutant) -> str:
 
 
 def fuzz(evidence: Evidence) -> str:
-    if not evidence.fuzz:
-        return "Not run yet."
     lines = [
         [
             f"`{t.name}`",
@@ -270,8 +258,6 @@ def fuzz(evidence: Evidence) -> str:
 
 
 def sanitizers(evidence: Evidence) -> str:
-    if not evidence.sanitizers:
-        return "Not run yet."
     lines = [
         [tool.name, tool.source.machine, words.grouped(tool.tests), _bold(tool.reports)]
         for tool in evidence.sanitizers
@@ -280,8 +266,11 @@ def sanitizers(evidence: Evidence) -> str:
 
 
 def _told(
-    header: list[str], lines: list[list[str]], items: Iterable[object], note: str = ""
+    header: list[str], lines: list[list[str]], items: Sequence[object], note: str = ""
 ) -> str:
+    """What the items' lines are; of a kind without a file, that it was not run."""
+    if not items:
+        return "Not run yet."
     sources = dict.fromkeys(item.source for item in items)  # type: ignore[attr-defined]
     return table(header, lines, f"{note} {_sources(list(sources))}".strip())
 
