@@ -75,7 +75,7 @@ __device__ void observe_sample(const Job& job) {
   const auto k = threadIdx.x;
   const auto chosen = static_cast<std::uint32_t>(mix_pair({0, k}) % job.count);
   const Sphere now = load_sphere(job.spheres, chosen);
-  const Sphere before = job.sample[k];
+  const Sphere before = job.kept->frames != 0 ? job.sample[k] : now;
   store_sphere(job.sample, k, now);
   const float dx = now.x - before.x;
   const float dy = now.y - before.y;

@@ -176,14 +176,18 @@ class Tile {
     }
   }
   /// Values of arrays wait in shared memory, in the order of the input, until keys have places.
-  /// They come while keys are ranked, four at a time; the room behind the last one is the array's,
-  /// too.
+  /// They come while keys are ranked, four at a time; the last three at most by themselves.
   __device__ void fetch_values() {
 #pragma unroll
     for (int k = 0; k < kItems / 4; ++k) {
       const std::uint32_t i = first_of_warp() + (k * kWarpThreads + lane_of_thread()) * 4;
       if (i >= here_) break;
-      __pipeline_memcpy_async(&s_.values[i], pass_.from.values + first_ + i, 16);
+      const std::uint32_t* const four = pass_.from.values + first_ + i;
+      if (i + 4 <= here_) {
+        __pipeline_memcpy_async(&s_.values[i], four, 16);
+      } else {
+        for (std::uint32_t j = 0; i + j < here_; ++j) s_.values[i + j] = four[j];
+      }
     }
     __pipeline_commit();
   }
