@@ -122,7 +122,7 @@ double estimate_cost(const SceneStats& stats, const Plan& plan, const Costs& cos
     const WorkEstimate work = estimate_work(stats, plan.grid, costs);
     const int more_passes = sort_passes(plan.key_bits, costs.digit_bits) -
                             sort_passes(plan.grid.key_bits, costs.digit_bits);
-    return work.cost_ns + work.ids * more_passes * costs.per_id_and_pass;
+    return costs.per_run + work.cost_ns + work.ids * more_passes * costs.per_id_and_pass;
   }
   const auto count = static_cast<double>(stats.facts.sphere_count);
   return count * count / 2.0 * costs.per_pair + count * costs.per_row;

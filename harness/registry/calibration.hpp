@@ -22,6 +22,7 @@ struct Calibration {
 constexpr Costs calibrated(Costs costs, const Calibration& factors) {
   costs.per_id *= factors.home_phantom;
   costs.per_candidate *= factors.home_phantom;
+  costs.per_run *= factors.home_phantom;
   costs.per_pair *= factors.brute_force;
   costs.per_row *= factors.brute_force;
   ShellCosts& shell = costs.shell;

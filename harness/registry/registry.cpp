@@ -22,6 +22,7 @@ namespace {
 constexpr Costs kDeviceCosts = {.per_id = 0.042,
                                 .per_id_and_pass = 0.018,
                                 .per_candidate = 0.0037,
+                                .per_run = 15e3,  // more kernels
                                 .per_row = 0.0,
                                 .digit_bits = 10,
                                 .equal_radii_pay = false,  // they come with the coordinates

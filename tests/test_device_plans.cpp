@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// What is planned for a device, by the costs of its kernels; no device is needed to plan.
+#include <gtest/gtest.h>
+
+#include "harness/interface/error.hpp"
+#include "harness/planner/planner.hpp"
+#include "harness/registry/registry.hpp"
+#include "harness/scenes/scenes.hpp"
+
+namespace octocell {
+namespace {
+
+Plan plan_for(const char* spec, Skips forced = {}) {
+  const Costs& costs = backend_named("impl_cuda_custom").costs;
+  return make_plan(measure(generate(spec).view()),
+                   {.method = {}, .forced = forced, .costs = costs});
+}
+
+/// home_phantom queues more kernels, and a hundred thousand spheres do not keep them busy.
+TEST(DevicePlans, TakeTheMethodOfFewKernelsWhereSpheresAreFew) {
+  for (const char* spec : {"gas:n=1000", "gas:n=100000,phi=1e-4", "chain:n=100000",
+                           "poly:n=100000,ratio=1e6", "cluster:n=100000"}) {
+    EXPECT_EQ(plan_for(spec).method, Method::half_shell) << spec;
+  }
+}
+
+TEST(DevicePlans, DoNotCountEqualRadiiForASkip) {
+  const Plan plan = plan_for("gas:n=1000");
+  EXPECT_EQ(plan.test, PairTest::band_fast);
+  EXPECT_FALSE(plan.taken.has(Skip::equal_radii));
+  EXPECT_THROW(plan_for("gas:n=1000", Skips().with(Skip::equal_radii)), LimitError);
+}
+
+}  // namespace
+}  // namespace octocell
