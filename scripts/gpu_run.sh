@@ -63,6 +63,8 @@ sanitizers() {  # small scenes: the tools make everything hundreds of times slow
     quietly "sanitize_frames_$tool" compute-sanitizer --tool "$tool" --error-exitcode 9 \
       "$here/tests/test_cuda_coherence" --gtest_brief=1 \
       --gtest_filter='*OnlyCounted*:*MoreDoubts*:*AnotherNumber*:*ThatFailed*:*OtherFlags*' &
+  done
+  for tool in memcheck initcheck; do  # the others would take a quarter of an hour
     quietly "sanitize_precision_$tool" compute-sanitizer --tool "$tool" --error-exitcode 9 \
       "$here/tests/test_cuda_precision" --gtest_brief=1 &
   done
@@ -70,7 +72,8 @@ sanitizers() {  # small scenes: the tools make everything hundreds of times slow
 }
 
 mutants() {  # of a bundle made with FAULTS=ON
-  run python3 "$here/mutation/mutants.py" --build "$here" --only 'cuda_.*' --jobs 1 -o "$OUT/mutants.json"
+  run python3 "$here/mutation/mutants.py" --build "$here" --only 'cuda_.*' \
+    --checks 'test_(radix_sort|cuda_.*)' --jobs 4 -o "$OUT/mutants.json"
 }
 
 sort() { run "$octocell" bench-sort --device gpu -o "$OUT/sort.json"; }

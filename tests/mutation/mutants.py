@@ -259,13 +259,16 @@ def parse_arguments() -> argparse.Namespace:
         "--build", type=Path, default=ROOT / "build-faults", help="folder of octocell and tests/"
     )
     parser.add_argument("--only", default=".*", help="faults whose whole name matches")
+    parser.add_argument("--checks", default=".*", help="checks whose whole name matches")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="faults at a time")
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "reports/out/mutants.json")
     arguments = parser.parse_args()
-    try:
-        arguments.only = re.compile(arguments.only)
-    except re.error as error:
-        parser.error(f"--only {arguments.only}: {error}")
+    for name in ("only", "checks"):
+        pattern = getattr(arguments, name)
+        try:
+            setattr(arguments, name, re.compile(pattern))
+        except re.error as error:
+            parser.error(f"--{name} {pattern}: {error}")
     if arguments.jobs < 1:
         parser.error(f"--jobs {arguments.jobs}: at least 1")
     if not os.access(arguments.build / "octocell", os.X_OK):
@@ -297,12 +300,18 @@ def main() -> int:
         print(f"mutants: --only {arguments.only.pattern}: no such fault", file=sys.stderr)
         return EXIT_BAD_INPUT
     device = has_device(program)
+    checks = [
+        check
+        for check in checks_in(program.parent, device)
+        if arguments.checks.fullmatch(check.name)
+    ]
+    if not checks:
+        print(f"mutants: --checks {arguments.checks.pattern}: no such check", file=sys.stderr)
+        return EXIT_BAD_INPUT
     here = [fault for fault in faults if device or not fault.needs_device]
     document = Document({**context_of(program), "jobs": arguments.jobs, "finished": False})
     try:
-        for verdict in try_faults(
-            here, checks_in(program.parent, device), document, arguments.jobs
-        ):
+        for verdict in try_faults(here, checks, document, arguments.jobs):
             document.verdicts.append(verdict)
         document.context["finished"] = True
     except KeyboardInterrupt:
