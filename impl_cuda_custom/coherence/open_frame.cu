@@ -155,7 +155,8 @@ __global__ void __launch_bounds__(kBlockThreads, kBlocksAtOnce)
        k += threads) {
     job.counters[k] = 0;
   }
-  const Trial trial = trial_of(*job.kept, job.is_complete(*job.state), job.allowed);
+  const bool complete = job.kept->frames != 0 && job.is_complete(*job.state);
+  const Trial trial = trial_of(*job.kept, complete, job.allowed);
   if (blockIdx.x == 0) observe_sample(job);
   const std::uint32_t found = look_at_spheres(job, trial, job.kept->growth);
   if (found != 0 && lane() == 0) atomicOr(&job.kept->found, found);
