@@ -167,7 +167,8 @@ def _reports(evidence: Evidence) -> str:
     if not evidence.sanitizers:
         return NOT_RUN
     tests = sum(tool.tests for tool in evidence.sanitizers)
-    names = ", ".join(dict.fromkeys(tool.name for tool in evidence.sanitizers))
+    # "memcheck, frames": what was run under it is for the table of the details.
+    names = ", ".join(dict.fromkeys(tool.name.split(",")[0] for tool in evidence.sanitizers))
     reports = _bold(sum(tool.reports for tool in evidence.sanitizers))
     return f"{reports} in {words.grouped(tests)} tests ({names})"
 

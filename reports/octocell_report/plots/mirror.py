@@ -242,6 +242,7 @@ class _Facet:
                 va="top",
                 fontsize=9.5,
                 linespacing=1.1,
+                bbox={"facecolor": "white", "edgecolor": "none", "pad": 1},  # over other lines
             )
             found.append(note)
         return found
