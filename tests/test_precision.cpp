@@ -9,6 +9,7 @@
 
 #include "harness/driver/complete.hpp"
 #include "harness/planner/choose_test.hpp"
+#include "harness/planner/lattice.hpp"
 #include "harness/reference/reference.hpp"
 #include "harness/registry/registry.hpp"
 #include "harness/scenes/scenes.hpp"
@@ -302,6 +303,23 @@ TEST(Certificates, AreSharp) {
   };
   EXPECT_EQ(wrong_with(11), 0);
   EXPECT_GT(wrong_with(13), 0);
+}
+
+TEST(Certificates, LookAtEveryNumber) {
+  for (std::size_t count = 0; count < 10; ++count) {
+    std::vector<Sphere> spheres(count, Sphere{-1.5F, 2.0F, 0.0F, 0.5F});
+    EXPECT_TRUE(lie_on_lattice(spheres, 2.0)) << count;
+    for (Sphere& s : spheres) {
+      for (float Sphere::*const part : {&Sphere::x, &Sphere::y, &Sphere::z, &Sphere::r}) {
+        const float whole = s.*part;
+        for (const float other : {whole + 0.25F, 0x1p-149F, std::nanf("")}) {
+          s.*part = other;
+          EXPECT_FALSE(lie_on_lattice(spheres, 2.0)) << count << " spheres, " << other;
+        }
+        s.*part = whole;
+      }
+    }
+  }
 }
 
 TEST(Certificates, AreCheckedAgainOnWhatIsGiven) {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "harness/interface/host_device.hpp"
 #include "harness/interface/sphere.hpp"
@@ -18,11 +16,6 @@ OCTOCELL_HD bool lies_on_lattice(const Sphere& s, double units_per_length) {
     return units == floor(units);
   };
   return is_whole(s.x) && is_whole(s.y) && is_whole(s.z) && is_whole(s.r);
-}
-
-inline bool lie_on_lattice(std::span<const Sphere> spheres, double units_per_length) {
-  return std::ranges::all_of(spheres,
-                             [=](const Sphere& s) { return lies_on_lattice(s, units_per_length); });
 }
 
 }  // namespace octocell
