@@ -159,9 +159,14 @@ def _depth(study: Study, language: str) -> list[str]:
 
 
 def share(value: float) -> str:
-    """Of the sum of the radii: '0.032 %', '3.1e-08'; of points, whose sum is 0, any gap is wide."""
+    """Of the sum of the radii: '0.032 %', '3.1e-08', '110×'; of points, whose sum is 0, any gap
+    is wide."""
     if value > 1e3:
-        return "> 1000"
+        return "> 1000×"
+    if value >= 1.0:
+        return f"{words.number(value)}×"
+    if value == 0.0:
+        return "0"
     return f"{100 * value:.2g} %" if value >= 1e-4 else f"{value:.1e}"
 
 

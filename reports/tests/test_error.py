@@ -192,6 +192,21 @@ def test_findings_are_made_of_the_numbers_in_both_languages(both):
     assert findings_error.prices(both)[0].startswith("impl_cpu: deciding exactly takes 1.07 times")
 
 
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (0.0, "0"),
+        (3.1e-8, "3.1e-08"),
+        (0.00032, "0.032 %"),
+        (1.5, "1.50×"),
+        (110.4, "110×"),
+        (float("inf"), "> 1000×"),
+    ],
+)
+def test_depths_are_told_in_short(value, text):
+    assert findings_error.share(value) == text
+
+
 def test_predicates_have_a_colour_each():
     assert len({style.predicate_colour(p) for p in (*PREDICATES, None)}) == len(PREDICATES) + 1
 
