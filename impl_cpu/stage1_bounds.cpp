@@ -7,7 +7,6 @@
 
 #include "harness/interface/faults.hpp"
 #include "harness/interface/flags.hpp"
-#include "harness/planner/lattice.hpp"
 #include "harness/planner/scene_stats.hpp"
 #include "impl_cpu/stages.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "harness/driver/complete.hpp"
 #include "harness/planner/choose_test.hpp"
-#include "harness/planner/lattice.hpp"
+#include "harness/planner/scene_stats.hpp"
 #include "harness/reference/reference.hpp"
 #include "harness/registry/registry.hpp"
 #include "harness/scenes/scenes.hpp"

@@ -14,6 +14,7 @@
 #pragma GCC diagnostic pop
 
 #include "harness/interface/lattice.hpp"
+#include "harness/planner/scene_stats.hpp"
 
 namespace octocell {
 namespace {

@@ -16,7 +16,4 @@ namespace octocell {
 /// others are looked at.
 double find_lattice(std::span<const Sphere> few, std::span<const Sphere> all, float r_max);
 
-/// Does each of them lie on it? As lies_on_lattice(), several at once.
-bool lie_on_lattice(std::span<const Sphere> spheres, double units_per_length);
-
 }  // namespace octocell

@@ -46,6 +46,9 @@ FactsPass measure_facts(std::span<const Sphere> spheres);
 /// The facts of two parts together.
 FactsPass merge(const FactsPass& a, const FactsPass& b);
 
+/// Does each of them lie on the lattice? Also for stage 1; as lies_on_lattice(), several at once.
+bool lie_on_lattice(std::span<const Sphere> spheres, double units_per_length);
+
 /// One line on what is wrong with the first invalid sphere; spheres must hold one.
 std::string describe_first_invalid(std::span<const Sphere> spheres);
 
