@@ -18,7 +18,9 @@ struct Base {
 Spheres near_ties(std::size_t n) {
   Random random(50);
   const auto coordinate = [&] {
-    return nudged(static_cast<float>(step(random, 6)) * 0.7F, step(random, 3));
+    const float place = static_cast<float>(step(random, 6)) * 0.7F;
+    const int nudge = step(random, 3);
+    return place == 0.0F ? place : nudged(place, nudge);  // beside zero all are subnormal
   };
   return repeated(n, [&](std::size_t) {
     const float x = coordinate();
