@@ -28,7 +28,7 @@ MEANINGS = {
     "q16_cell": "16-bit positions in the cell",
     "gram_f32": "float32, |p|² + |q|² − 2pq from the origin",
     "f16_cell": "float16 positions in the cell",
-    "aabb_only": "bounding boxes alone",
+    "aabb_only": "bounding boxes alone; loses none",
 }
 PREDICATES = tuple(MEANINGS)
 SCENE_CLASSES = ("random", "structured", "extreme")

@@ -192,8 +192,8 @@ _SECTIONS = {
     "title_error_pareto": "Run time against error",
     "how_error_pareto": "Each mark is one way to test a pair (colour) in one backend (shape). Up: pairs lost; down: "
     "pairs invented, both per million true pairs, logarithmic; between them, on green, what made no error, and how rare "
-    "one could still be (3/N, 95 %). Left is faster. Bold is the worst scene of the class, or the median time where none is "
-    "wrong; pale marks are single scenes. Warm, of each backend one configuration, the same for all tests.",
+    "one could still be (3/N, 95 %). Left is faster. Bold is the worst error of the class at the median time of its scenes; "
+    "pale marks are single scenes, and lines join backends with the same test. Warm, of each backend one configuration, the same for all tests.",
     "title_error_depth": "How bad the worst pair is",
     "how_error_depth": "The same with the worst pair's size: by how much of the sum of the radii a lost pair "
     "overlaps, and how wide the gap of an invented one is. Near 1e-7 is float32's rounding; a simulation can feel 1e-3.",

@@ -15,6 +15,7 @@ from octocell_report import error_files, page, plots
 from octocell_report.cli import main
 from octocell_report.error import Study
 from octocell_report.load import parse
+from octocell_report.plots import mirror
 from octocell_report.plots.labels import Box
 from octocell_report.predicates import PREDICATES
 
@@ -59,7 +60,21 @@ def test_the_figures_say_what_stands_in_the_numbers(drawn):
         assert text in said, text
     assert said.count("f16_cell") >= 5  # by its marks in five panels, and below
     assert {"exact", "0", "−2.1k +940", "+5.1M", "−446k"} <= set(texts(drawn["error_map"]))
-    assert "depth of the worst pair lost, by rᵢ + rⱼ" in texts(drawn["error_depth"])
+    assert "depth of the worst pair lost / (rᵢ + rⱼ)" in texts(drawn["error_depth"])
+
+
+def test_bold_marks_stand_at_the_median_time(both, drawn):
+    """Not at that of their worst scene: that would tell scenes apart, not tests."""
+    medians = {summary.ns for name in both.classes for summary in both.summaries(name)}
+    found = [
+        mark.get_xdata()[0]
+        for name in ("error_pareto", "error_depth")
+        for ax in drawn[name].axes
+        for mark in ax.lines
+        if mark.get_linestyle() == "None" and mark.get_markersize() >= mirror._BOLD
+    ]
+    assert len(found) > 40
+    assert set(found) <= medians
 
 
 def test_labels_of_marks_do_not_cover_each_other(both, drawn):

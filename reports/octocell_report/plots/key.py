@@ -40,8 +40,8 @@ def draw(figure: Figure, study: Study, title: str, frame: Frame) -> None:
     figure.text(
         0.012,
         1 - 0.48 / frame.height,
-        "Left is faster; in the green strip nothing is wrong. Bold: the worst scene of the class, "
-        "or the median time where none is wrong; pale: single scenes.",
+        "Left is faster; the further from the green strip, the worse; in it nothing is wrong. "
+        "Bold: worst error, median time of the scenes; pale: single scenes.",
         fontsize=11,
         va="top",
     )
@@ -49,7 +49,8 @@ def draw(figure: Figure, study: Study, title: str, frame: Frame) -> None:
     figure.text(
         left + (1 - left) / 2,
         (frame.bottom - 0.32) / frame.height,
-        "time per sphere [ns], logarithmic; dashed: nothing exact is faster (median of the scenes)",
+        "time per sphere [ns] of all six stages, logarithmic; dashed: the fastest that is exact; "
+        "lines join backends with the same test",
         ha="center",
         va="top",
     )

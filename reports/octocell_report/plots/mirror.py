@@ -269,7 +269,8 @@ class _Facet:
     def _marks(
         self, ax: Axes, summary: Summary, measure: Measure, placer: Placer
     ) -> tuple[float, float] | None:
-        """Every scene pale; the worst bold, and where it is."""
+        """Every scene pale; bold the worst error, at the median time, and where that is: times of
+        single scenes differ by more than tests do."""
         found = [
             (self.mirror.height(value), point.ns)
             for point in summary.points
@@ -280,10 +281,10 @@ class _Facet:
             placer.mark(ns, value, _PALE, 1.0)
         if not found:
             return None
-        value, ns = max(found)
-        self._mark(ax, summary.series, ns, value, bold=True)
-        placer.mark(ns, value, _BOLD, 20.0)
-        return ns, value
+        value = max(found)[0]
+        self._mark(ax, summary.series, summary.ns, value, bold=True)
+        placer.mark(summary.ns, value, _BOLD, 20.0)
+        return summary.ns, value
 
     def _mark(self, ax: Axes, series: Series, x: float, y: float, bold: bool) -> None:
         colour, marker = self.looks[series]

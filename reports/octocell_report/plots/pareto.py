@@ -17,7 +17,7 @@ def draw(study: Study) -> Figure | None:
         Mirror(
             title="Run time against error: what a simpler overlap test saves, and gets wrong",
             up=Side(_missed, "pairs LOST, per million true pairs"),
-            down=Side(_false, "pairs INVENTED, per million"),
+            down=Side(_false, "pairs INVENTED, per million true pairs"),
             tick=words.rate,
         ),
     )
