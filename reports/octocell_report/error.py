@@ -80,8 +80,8 @@ class Point:
 
     @property
     def promised(self) -> bool:
-        """Its series claims to be exact."""
-        return not self.row.exhibit
+        """Its series claims to be exact, and is not known to be wrong."""
+        return not self.row.exhibit and not self.row.known_faults
 
     @property
     def depth(self) -> float | None:

@@ -60,7 +60,7 @@ def test_the_figures_say_what_stands_in_the_numbers(drawn):
         assert text in said, text
     assert said.count("f16_cell") >= 5  # by its marks in five panels, and below
     assert {"exact", "0", "−2.1k +940", "+5.1M", "−446k"} <= set(texts(drawn["error_map"]))
-    assert "depth of the worst pair lost / (rᵢ + rⱼ)" in texts(drawn["error_depth"])
+    assert "deepest pair lost / (rᵢ + rⱼ)" in texts(drawn["error_depth"])
 
 
 def test_bold_marks_stand_at_the_median_time(both, drawn):

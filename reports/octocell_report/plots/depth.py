@@ -18,8 +18,8 @@ def draw(study: Study) -> Figure | None:
         study,
         Mirror(
             title="How bad the worst pair is: deepest overlap lost, widest gap invented",
-            up=Side(_depth, "depth of the worst pair lost / (rᵢ + rⱼ)"),
-            down=Side(_gap, "gap of the worst pair invented / (rᵢ + rⱼ)"),
+            up=Side(_depth, "deepest pair lost / (rᵢ + rⱼ)"),
+            down=Side(_gap, "widest gap invented / (rᵢ + rⱼ)"),
             tick=_tick,
             floor=TIE,
             ceiling=FAR,

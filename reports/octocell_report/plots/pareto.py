@@ -16,8 +16,8 @@ def draw(study: Study) -> Figure | None:
         study,
         Mirror(
             title="Run time against error: what a simpler overlap test saves, and gets wrong",
-            up=Side(_missed, "pairs LOST, per million true pairs"),
-            down=Side(_false, "pairs INVENTED, per million true pairs"),
+            up=Side(_missed, "LOST, per million true pairs"),
+            down=Side(_false, "INVENTED, per million true pairs"),
             tick=words.rate,
         ),
     )
