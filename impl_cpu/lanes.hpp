@@ -6,19 +6,11 @@
 #include <cstdint>
 #include <type_traits>
 
-// GCC 12 takes its own "undefined" vectors for mistakes of ours (GCC bug 105593).
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wuninitialized"
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#include <experimental/simd>
-#pragma GCC diagnostic pop
-
 #include "harness/interface/faults.hpp"
 #include "harness/interface/pair_test.hpp"
+#include "harness/interface/simd.hpp"
 
 namespace octocell::cpu {
-
-namespace stdx = std::experimental;
 
 /// Spheres field by field.
 template <typename Number>
@@ -33,9 +25,6 @@ template <PairTest test>
 using NumberOf = std::conditional_t<is_packed(test), std::uint16_t, float>;
 template <PairTest test>
 using FieldsOf = Fields<NumberOf<test>>;
-
-template <typename Number, std::uint32_t count>
-using Vector = stdx::simd<Number, stdx::simd_abi::deduce_t<Number, count>>;
 
 /// One bit a lane, the first lowest.
 using LaneBits = std::uint16_t;

@@ -6,20 +6,10 @@
 #include <cmath>
 #include <cstdint>
 
-// GCC 12 takes its own "undefined" vectors for mistakes of ours (GCC bug 105593).
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wuninitialized"
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#include <experimental/simd>
-#pragma GCC diagnostic pop
-
-#include "harness/interface/lattice.hpp"
 #include "harness/planner/scene_stats.hpp"
 
 namespace octocell {
 namespace {
-
-namespace stdx = std::experimental;
 
 constexpr int kNoBits = 1000;  // of zero, a multiple of everything
 
@@ -46,21 +36,6 @@ bool float32_is_exact(double units_per_length, float r_max) {
 }
 
 }  // namespace
-
-/// Spelt out: floor() and != may trap, so compilers leave them one by one.
-bool lie_on_lattice(std::span<const Sphere> spheres, double units_per_length) {
-  constexpr std::size_t kAtOnce = 2;
-  static_assert(sizeof(Sphere[kAtOnce]) == 4 * kAtOnce * sizeof(float), "read as numbers in a row");
-  using Numbers = stdx::simd<double, stdx::simd_abi::deduce_t<double, 4 * kAtOnce>>;
-  Numbers::mask_type amiss(false);
-  for (; spheres.size() >= kAtOnce; spheres = spheres.subspan(kAtOnce)) {
-    const Numbers numbers(&spheres.front().x, stdx::element_aligned);
-    const Numbers units = numbers * units_per_length;
-    amiss = amiss || units != stdx::floor(units);
-  }
-  return stdx::none_of(amiss) &&
-         (spheres.empty() || lies_on_lattice(spheres.front(), units_per_length));
-}
 
 double find_lattice(std::span<const Sphere> few, std::span<const Sphere> all, float r_max) {
   const int exponent = lowest_bit(few);

@@ -12,7 +12,9 @@
 #include "harness/interface/error.hpp"
 #include "harness/interface/faults.hpp"
 #include "harness/interface/flags.hpp"
+#include "harness/interface/lattice.hpp"
 #include "harness/interface/pair.hpp"
+#include "harness/interface/simd.hpp"
 #include "harness/planner/lattice.hpp"
 
 namespace octocell {
@@ -145,6 +147,21 @@ FactsPass merge(const FactsPass& a, const FactsPass& b) {
     f.r_min_nonzero = other;
   }
   return both;
+}
+
+/// Spelt out: floor() and != may trap, so compilers leave them one by one.
+bool lie_on_lattice(std::span<const Sphere> spheres, double units_per_length) {
+  constexpr std::size_t kAtOnce = 2;
+  static_assert(sizeof(Sphere[kAtOnce]) == 4 * kAtOnce * sizeof(float), "read as numbers in a row");
+  using Numbers = Vector<double, 4 * kAtOnce>;
+  Numbers::mask_type amiss(false);
+  for (; spheres.size() >= kAtOnce; spheres = spheres.subspan(kAtOnce)) {
+    const Numbers numbers(&spheres.front().x, stdx::element_aligned);
+    const Numbers units = numbers * units_per_length;
+    amiss = amiss || units != stdx::floor(units);
+  }
+  return stdx::none_of(amiss) &&
+         (spheres.empty() || lies_on_lattice(spheres.front(), units_per_length));
 }
 
 std::string describe_first_invalid(std::span<const Sphere> spheres) {

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Numbers side by side, by the library's vectors.
+#pragma once
+
+#include <cstdint>
+
+// GCC 12 takes its own "undefined" vectors for mistakes of ours (GCC bug 105593).
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#include <experimental/simd>
+#pragma GCC diagnostic pop
+
+namespace octocell {
+
+namespace stdx = std::experimental;
+
+template <typename Number, std::uint32_t count>
+using Vector = stdx::simd<Number, stdx::simd_abi::deduce_t<Number, count>>;
+
+}  // namespace octocell
