@@ -49,7 +49,7 @@ def draw(figure: Figure, study: Study, title: str, frame: Frame) -> None:
     figure.text(
         left + (1 - left) / 2,
         (frame.bottom - 0.32) / frame.height,
-        "time per sphere [ns] of all six stages, logarithmic; dashed: the fastest that is exact; "
+        "time per sphere [ns] of the whole search, logarithmic; dashed: the fastest that is exact; "
         "lines join backends with the same test",
         ha="center",
         va="top",
