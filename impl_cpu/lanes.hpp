@@ -2,9 +2,13 @@
 // Spheres side by side, and the first step of each pair test for one sphere against all of them.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <type_traits>
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
 
 #include "harness/interface/faults.hpp"
 #include "harness/interface/pair_test.hpp"
@@ -34,13 +38,33 @@ LaneBits bits_of(const Mask& mask) {
 }
 /// The first `count` of 16 lanes or fewer.
 inline LaneBits first_bits(std::uint32_t count) {
+  constexpr std::uint32_t kAll = 16;
   return static_cast<LaneBits>(
-      count >= 16 ? OCTOCELL_FAULT(shell_last_lane_missing, 0x7fffU, 0xffffU) : (1U << count) - 1U);
+      (1U << std::min(count, OCTOCELL_FAULT(shell_last_lane_missing, kAll - 1, kAll))) - 1U);
 }
 /// Calls visit(lane) for each lane that is set.
 template <typename Visit>
 void for_each_lane(std::uint32_t bits, const Visit& visit) {
   for (; bits != 0; bits &= bits - 1) visit(static_cast<std::uint32_t>(std::countr_zero(bits)));
+}
+
+/// `to` gets first + lane for each lane that is set; up to 16 numbers are written, these first.
+inline void list_places(LaneBits bits, std::uint32_t first, std::uint32_t* to) {
+#ifdef __AVX512F__
+  const __m512i lanes = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+  const __m512i places = _mm512_add_epi32(lanes, _mm512_set1_epi32(static_cast<int>(first)));
+  _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(bits, places));
+#else
+  for_each_lane(bits, [&](std::uint32_t lane) { *to++ = first + lane; });
+#endif
+}
+/// `to` gets from[lane] for each lane that is set; up to 16 numbers are written, these first.
+inline void list_values(LaneBits bits, const std::uint32_t* from, std::uint32_t* to) {
+#ifdef __AVX512F__
+  _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(bits, _mm512_loadu_si512(from)));
+#else
+  for_each_lane(bits, [&](std::uint32_t lane) { *to++ = from[lane]; });
+#endif
 }
 
 /// The four fields of spheres side by side.

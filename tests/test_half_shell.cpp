@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Method half_shell of impl_cpu: its levels, its rows, its seams, its skips.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <iterator>
 #include <random>
 
 #include "harness/driver/complete.hpp"
 #include "harness/reference/reference.hpp"
 #include "harness/scenes/scenes.hpp"
 #include "impl_cpu/backend.hpp"
+#include "impl_cpu/half_shell/borders.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 #include "impl_cpu/half_shell/row_cursor.hpp"
+#include "tests/cpu_pipeline.hpp"
+#include "tests/level_cuts.hpp"
 
 namespace octocell::cpu {
 namespace {
@@ -119,16 +125,146 @@ TEST(HalfShellWraps, SeamsOfEveryAxisAreCrossed) {
   }
 }
 
+/// Eight at a time, and those left over, also where they lie beyond the grid's box.
+TEST(HalfShellColumns, AreWhatTheCellFormulaSays) {
+  Scene scene = generate("gas:n=1003");
+  std::mt19937 random(11);
+  PlanFacts facts = measure(scene.view()).facts;
+  for (Sphere& s : scene.spheres) {
+    for (float* x : {&s.x, &s.y, &s.z}) {
+      const float choices[] = {*x, -*x, *x * 1e30F, -*x * 1e30F, *x * 1e-40F, -1e-45F, kFloatMax};
+      if (random() % 2 == 0) *x = choices[random() % std::size(choices)];
+    }
+  }
+  for (const int bits : {9, 28}) {
+    const auto w = workspace_for(scene.view(), {.method = Method::half_shell});
+    Level& level = w->plan.levels.level[0];
+    level = make_level(facts, facts.r_max, 2.5 * facts.r_max, 3, bits);
+    level.first_id = 77;
+    w->plan.levels.count = 1;
+    half_shell::cell_ids(*w);
+    for (std::size_t k = 0; k < scene.spheres.size(); ++k) {
+      const Sphere& s = scene.spheres[k];
+      ASSERT_EQ(w->ids[0].cell_ids[k], 77 + cell_id(level.grid, cell_of(level.grid, s.x, s.y, s.z)))
+          << k;
+    }
+  }
+}
+
 /// Rows of 32: one begins with sphere 16384, as a block of stage 4 does.
 TEST(HalfShellRows, MayBeginWhereABlockDoes) {
   static_assert(half_shell::kIndexedPerBlock % 32 == 0 && half_shell::kIndexedPerBlock < 32768);
   const Scene scene = generate("lattice:n=32768,shuffle=1");
   const PairDigest truth = exact_digest(scene.view());
   for (const int threads : {1, 3}) {
-    PairDigest found;
-    find_in(scene.view(), {.method = Method::half_shell, .threads = threads}, found);
-    EXPECT_EQ(found, truth) << threads << " threads";
+    const Plan planned = roomy_plan(scene, {.method = Method::half_shell, .threads = threads});
+    const Cut rows_of_32 = {.levels = 1, .columns = 1, .diameters = 1.0, .most_bits = 28};
+    const Plan plan = with_levels(planned, scene, rows_of_32);
+    ASSERT_EQ(plan.levels.level[0].grid.period(0), 32U);
+    EXPECT_EQ(ask(*make_backend(), plan, scene.view()).digest, truth) << threads << " threads";
   }
+}
+
+TEST(HalfShellRows, HoldEveryPairOnceHoweverTheyAreCut) {
+  bool wrapped[3] = {};
+  const Scene scenes[] = {
+      generate("poly:n=600"),      generate("dense:n=900"), generate("lattice:n=1000,shuffle=1"),
+      generate("discs:n=600"),     generate("gas:n=9000"),  far_apart("poly:n=600", 1e4F),
+      far_apart("gas:n=300", 1e7F)};
+  for (std::size_t number = 0; number < std::size(scenes); ++number) {
+    const Scene& scene = scenes[number];
+    const PairDigest truth = exact_digest(scene.view());
+    const Plan planned = roomy_plan(scene, {.method = Method::half_shell});
+    for (const std::size_t levels : {1, 3}) {
+      for (const std::uint32_t columns : {1, 3, 16}) {
+        for (const double diameters : {1.0, 1.9, 5.0}) {
+          for (const int bits : {12, 28}) {
+            const Plan plan = with_levels(planned, scene, {levels, columns, diameters, bits});
+            const Answer answer = ask_until_it_fits(*make_backend(), plan, scene.view());
+            EXPECT_EQ(answer.digest, truth)
+                << fmt::format("scene {}, {} levels, {} columns, {} diameters, {} bits", number,
+                               levels, columns, diameters, bits);
+            for (int a = 0; a < 3; ++a) wrapped[a] |= plan.levels.level[0].grid.wraps(a);
+          }
+        }
+      }
+    }
+  }
+  EXPECT_TRUE(wrapped[0] && wrapped[1] && wrapped[2]);
+}
+
+/// Two rows of spheres that touch in pairs across a border, more than are listed at once.
+TEST(HalfShellRows, MayHoldMoreSpheresNearABorderThanAreListedAtOnce) {
+  std::vector<Sphere> spheres;
+  for (int k = 0; k < 10000; ++k) {
+    const float x = 2.0F * static_cast<float>(k / 100) / 100.0F;  // crowds of a hundred pairs
+    const float far = 40.0F * static_cast<float>(k % 100);
+    spheres.push_back({x + far, 3.75F, 0.0F, 0.5F});
+    spheres.push_back({x + far, 4.75F, 0.0F, 0.5F});
+  }
+  spheres.push_back({0.0F, 40.0F, 40.0F, 0.5F});
+  spheres.push_back({0.0F, 0.0F, 0.0F, 0.5F});
+  Scene scene;
+  scene.spheres = spheres;
+  const Plan planned = roomy_plan(scene, {.method = Method::half_shell});
+  const Plan plan = with_levels(planned, scene, {1, 1, 4.0, 28});
+  const Grid& grid = plan.levels.level[0].grid;
+  ASSERT_NE(cell_coordinate(grid, 1, 3.75F), cell_coordinate(grid, 1, 4.75F));
+  EXPECT_EQ(ask_until_it_fits(*make_backend(), plan, scene.view()).digest,
+            exact_digest(scene.view()));
+}
+
+/// Of two spheres that are within reach of each other, in cells to both sides of a border, both lie
+/// where that border's partners are looked for; and not many others do.
+TEST(HalfShellBorders, LeaveOutNoPartnerAndFewOthers) {
+  std::mt19937 random(5);
+  const auto between = [&](double low, double high) {
+    return static_cast<float>(std::uniform_real_distribution<double>(low, high)(random));
+  };
+  for (int trial = 0; trial < 20000; ++trial) {
+    const float r = std::ldexp(between(0.5, 1.0), static_cast<int>(random() % 200) - 100);
+    const double side = 2.0 * static_cast<double>(r) * static_cast<double>(between(1.0, 16.0));
+    const double centre = trial % 2 == 0 ? 0.0 : side * static_cast<double>(between(-1e4, 1e4));
+    PlanFacts facts;
+    for (int a = 0; a < 3; ++a) {
+      facts.lowest[a] = static_cast<float>(centre - 20.0 * side);
+      facts.highest[a] = static_cast<float>(centre + 20.0 * side);
+    }
+    const Grid grid = make_level(facts, r, side, 1, 28).grid;
+    const auto above = static_cast<std::uint32_t>(1 + random() % (grid.cell_count[1] - 1));
+    const float reach = 2.0F * r;
+    const half_shell::Border border = half_shell::border_below(grid, 1, above, reach);
+    const double apart = static_cast<double>(border.upper) - static_cast<double>(border.lower);
+    const double ulps = 0x1p-20 * std::fabs(static_cast<double>(border.upper));
+    ASSERT_LE(apart, 2.001 * static_cast<double>(reach) + ulps) << trial;
+    // Around the border, in steps that a float can take.
+    float p = border.lower;
+    for (int step = 0; step < 40; ++step) p = std::nextafter(p, HUGE_VALF);
+    for (int step = 0; step < 80; ++step, p = std::nextafter(p, -HUGE_VALF)) {
+      const float q = p + reach;
+      const bool partners = static_cast<double>(q) - static_cast<double>(p) <= 2.0 * r &&
+                            cell_coordinate(grid, 1, p) < above &&
+                            cell_coordinate(grid, 1, q) >= above;
+      if (!partners) continue;
+      ASSERT_GT(p, border.lower) << trial;
+      ASSERT_LT(q, border.upper) << trial;
+    }
+  }
+}
+
+TEST(HalfShellBorders, OfWrappedAxesAndInfiniteReachesLeaveOutNothing) {
+  const auto all = [](const half_shell::Border& b) {
+    return b.lower == -HUGE_VALF && b.upper == HUGE_VALF;
+  };
+  PlanFacts facts;
+  for (int a = 0; a < 3; ++a) facts.highest[a] = 1e3F;
+  const Grid open = make_level(facts, 0.5F, 4.0, 1, 28).grid;
+  ASSERT_FALSE(open.wraps(1));
+  EXPECT_FALSE(all(half_shell::border_below(open, 1, 9, 1.0F)));
+  EXPECT_TRUE(all(half_shell::border_below(open, 1, 9, HUGE_VALF)));
+  const Grid wrapped = make_level(facts, 0.5F, 4.0, 1, 12).grid;
+  ASSERT_TRUE(wrapped.wraps(1));
+  EXPECT_TRUE(all(half_shell::border_below(wrapped, 1, 9, 1.0F)));
 }
 
 TEST(HalfShellWork, GrowsWithSpheresAndPairs) {
@@ -163,9 +299,9 @@ TEST(HalfShellSkips, IdsThatComeInOrderAreNotSorted) {
   EXPECT_FALSE(used("gas:n=20000", Skips::all()).has(Skip::sort));
 }
 
-/// A lattice of 16^3, in order, and once more: each block of stage 2 is in order, the whole is not.
+/// A chain in order, and once more: each block of stage 2 is in order, the whole is not.
 TEST(HalfShellSkips, IdsInOrderWithinBlocksAloneAreSorted) {
-  Scene scene = generate("lattice:n=4096");
+  Scene scene = generate("chain:n=4096");
   PairDigest found;
   const PlanOptions options = {.method = Method::half_shell};
   EXPECT_TRUE(find_in(scene.view(), options, found).counts.used.has(Skip::sort));

@@ -104,10 +104,10 @@ PlanOptions planned(Skips allowed = Skips::all(), Skips forced = {}) {
 }
 
 TEST(Planner, TestsAllPairsOfFewSpheres) {
-  const Plan plan = plan_for("gas:n=60", planned());
+  const Plan plan = plan_for("gas:n=40", planned());
   EXPECT_EQ(plan.method, Method::brute_force);
   EXPECT_TRUE(plan.taken.has(Skip::grid));
-  EXPECT_NE(plan_for("gas:n=60", planned(Skips::all().without(Skip::grid))).method,
+  EXPECT_NE(plan_for("gas:n=40", planned(Skips::all().without(Skip::grid))).method,
             Method::brute_force);
 }
 
@@ -147,7 +147,8 @@ TEST(Planner, CellsOfEveryLevelAreADiameterWide) {
     for (int k = 0; k < plan.levels.count; ++k) {
       const Level& level = plan.levels.level[k];
       EXPECT_GE(level.grid.cell_side, 2.0 * level.r_max) << scene;
-      EXPECT_GE(level.reach * level.grid.width[0].units, level.grid.width[1].units) << scene;
+      const double unit = level.grid.cell_side / level.grid.width[1].units;
+      EXPECT_GE(level.reach * level.grid.width[0].units * unit, 2.0 * level.r_max) << scene;
       EXPECT_EQ(level.first_id, next_id) << scene;
       next_id += level.ids;
       for (int a = 0; a < 3; ++a) {

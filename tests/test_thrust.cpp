@@ -60,9 +60,9 @@ TEST_P(Thrust, CountsWhatImplCpuCounts) {
     for (const int threads : {1, 2, 3, 7}) {
       const Answer answer = ask(*ours_, roomy_plan(scene, options(threads)), scene.view());
       if (GetParam().method == Method::half_shell) {
-        // impl_cpu looks up the windows of several spheres as one, so it meets more candidates.
+        // impl_cpu looks up the windows of several spheres as one, and leaves out what is far from
+        // a row's border, so it meets other candidates.
         expect_same_results(answer.counts, truth.counts, spec);
-        EXPECT_LE(answer.counts.candidates, truth.counts.candidates) << spec;
       } else {
         expect_same_counts(answer.counts, truth.counts, spec);
       }

@@ -8,37 +8,12 @@
 #include <iterator>
 
 #include "harness/reference/reference.hpp"
+#include "harness/registry/registry.hpp"
 #include "impl_thrust/backend.hpp"
-#include "tests/ask_finder.hpp"
+#include "tests/level_cuts.hpp"
 
 namespace octocell {
 namespace {
-
-/// How the spheres are cut into levels, and their cells into columns.
-struct Cut {
-  std::size_t levels;
-  std::uint32_t columns;
-  double diameters;  // a cell's side
-  int most_bits;     // of a level's ids: where they are few, axes wrap
-};
-
-/// The same number of spheres in each level, unless radii are equal.
-Plan with_levels(Plan plan, const Scene& scene, const Cut& cut) {
-  std::vector<float> radii;
-  for (const Sphere& s : scene.spheres) radii.push_back(s.r);
-  std::sort(radii.begin(), radii.end());
-  plan.levels = {};
-  std::uint32_t first_id = 0;
-  for (std::size_t k = 1; k <= cut.levels; ++k) {
-    const float r_max = radii[radii.size() * k / cut.levels - 1];
-    Level& level = plan.levels.level[plan.levels.count++];
-    level = make_level(plan.facts, r_max, cut.diameters * 2.0 * r_max, cut.columns, cut.most_bits);
-    level.first_id = first_id;
-    first_id += level.ids;
-  }
-  plan.key_bits = key_bits_of(plan.levels);
-  return plan;
-}
 
 /// How far apart two cells are on an axis: round the seam, where that is nearer.
 std::uint32_t cells_apart(const Grid& grid, int axis, std::uint32_t a, std::uint32_t b) {
@@ -64,16 +39,6 @@ std::uint64_t adjacent_pairs(const Levels& levels, std::span<const Sphere> spher
     }
   }
   return pairs;
-}
-
-/// Two gases that far apart on all axes: no number of bits counts the cells between them.
-Scene far_apart(const char* spec, float offset) {
-  Scene scene = generate(spec);
-  for (std::size_t i = 0; i < scene.spheres.size(); i += 3) {
-    Sphere& s = scene.spheres[i];
-    s = {s.x + offset, s.y - offset, s.z + offset, s.r};
-  }
-  return scene;
 }
 
 TEST(ThrustHalfShell, LooksOnceAtAllPairsOfAdjacentCellsHoweverTheyAreCut) {
@@ -127,7 +92,8 @@ TEST(ThrustHalfShell, AnswersTheSameWhereIdsComeInOrderSortedOrNot) {
 
 TEST(ThrustHalfShell, AGiantCostsEachOtherSphereOneLook) {
   const Scene scene = generate("giant:n=3000");
-  const Plan plan = roomy_plan(scene, {.method = Method::half_shell});
+  const Plan plan = roomy_plan(
+      scene, {.method = Method::half_shell, .costs = backend_named("impl_thrust").costs});
   ASSERT_GT(plan.levels.count, 1);
   const auto finder = on_thrust::make_host_backend();
   const Counts found = ask(*finder, plan, scene.view()).counts;

@@ -46,9 +46,9 @@ struct PlanFacts {
 
 /// Method half_shell: the spheres of one class of size, and the grid made to their measure.
 ///
-/// A cell is a diameter wide, so that spheres of the level that overlap lie in the same or in
-/// adjacent cells (docs/exactness.md, claim A). Along x cells are cut into columns, finer: `reach`
-/// columns are at least a diameter. The id of a column is first_id + column + columns * (row),
+/// A cell is a diameter wide or more, so that spheres of the level that overlap lie in the same or
+/// in adjacent cells (docs/exactness.md, claim A). Along x cells are cut into columns, finer:
+/// `reach` columns are at least a diameter. The id of a column is first_id + column + columns * (row),
 /// row = y + rows_y * z, so that a row's columns, sorted, lie side by side.
 struct Level {
   float r_max = 0.0F;          // radii above the level below, up to this

@@ -41,13 +41,19 @@ Members members_of(const SceneStats& stats, Octaves octaves) {
   return members;
 }
 
+/// How many make a cell as long as it is wide.
+std::uint32_t columns_per_cell(const Grid& grid) {
+  return (grid.width[1].units + grid.width[0].units - 1) / grid.width[0].units;
+}
+
 /// Pairs of the sample that share a block of 2^shift cells a side.
 std::uint64_t pairs_in_blocks(const Level& level, const std::vector<Sphere>& sample, int shift) {
+  const std::uint32_t columns = columns_per_cell(level.grid);
   std::vector<std::uint64_t> blocks;
   for (const Sphere& s : sample) {
     const Cell cell = cell_of(level.grid, s.x, s.y, s.z);
     blocks.push_back(
-        cell_id(level.grid, {(cell.x / level.reach) >> shift, cell.y >> shift, cell.z >> shift}));
+        cell_id(level.grid, {(cell.x / columns) >> shift, cell.y >> shift, cell.z >> shift}));
   }
   std::ranges::sort(blocks);
   std::uint64_t pairs = 0;
@@ -63,11 +69,12 @@ std::uint64_t pairs_in_blocks(const Level& level, const std::vector<Sphere>& sam
 /// That is small, so it is asked for blocks of cells, the smallest in which enough of it meet.
 double neighbours_in_cell(const Level& level, const Members& members) {
   constexpr std::uint64_t kEnough = 100;
-  const double cells_there = std::max(static_cast<double>(level.ids) / level.reach, 1.0);
+  const std::uint32_t columns = columns_per_cell(level.grid);
+  const double cells_there = std::max(static_cast<double>(level.ids) / columns, 1.0);
   const double evenly = members.count / cells_there;
   const auto size = static_cast<double>(members.sample.size());
   const Grid& grid = level.grid;
-  const std::uint32_t cells[3] = {grid.cell_count[0] / level.reach + 1, grid.cell_count[1],
+  const std::uint32_t cells[3] = {grid.cell_count[0] / columns + 1, grid.cell_count[1],
                                   grid.cell_count[2]};
   const std::uint32_t most = std::max({cells[0], cells[1], cells[2]});
   for (int shift = 0; size > 1 && most >> shift != 0; ++shift) {
@@ -80,17 +87,29 @@ double neighbours_in_cell(const Level& level, const Members& members) {
   return evenly;
 }
 
+/// Of a row's spheres, those that are tested against the row one step along the axis.
+double share_near_border(const Level& level, int axis, const ShellCosts& costs) {
+  if (level.grid.cell_count[axis] == 1) return 0.0;
+  if (!costs.near_borders || level.grid.wraps(axis)) return 1.0;
+  return std::min(1.0, 2.0 * static_cast<double>(level.r_max) / level.grid.cell_side);
+}
+
+/// The columns that partners of a sphere may lie in, as a part of a cell.
+double window_in_cells(const Level& level) {
+  return (2.0 * level.reach + 1.0) / columns_per_cell(level.grid);
+}
+
 double cost_within(const Level& level, const Members& members, double in_cell,
                    const ShellCosts& costs) {
   const Grid& grid = level.grid;
   const double rows_of_cells = static_cast<double>(grid.period(1)) * grid.period(2);
   const double filled = 1.0 - std::exp(-members.count / rows_of_cells);
-  const double neighbour_rows = (grid.cell_count[1] > 1 ? 1.0 : 0.0) +
-                                (grid.cell_count[2] > 1 ? 1.0 : 0.0) +
-                                (grid.cell_count[1] > 1 && grid.cell_count[2] > 1 ? 2.0 : 0.0);
-  const double window_cells = 2.0 + 1.0 / level.reach;
-  const double candidates = in_cell * window_cells * (0.5 + neighbour_rows);
-  return members.count * (costs.per_sphere + neighbour_rows * filled * costs.per_window +
+  const double y = share_near_border(level, 1, costs);
+  const double z = share_near_border(level, 2, costs);
+  const double near_others = y + z + 2.0 * y * z;  // the half shell: two rows, and two aslant
+  const double candidates =
+      in_cell * window_in_cells(level) * (0.5 + y * y + z * z + 2.0 * y * y * z * z);
+  return members.count * (costs.per_sphere + near_others * filled * costs.per_window +
                           candidates * costs.per_candidate) +
          rows_of_cells * filled * costs.per_row +
          (grid.wraps() ? members.count * costs.per_wrapped : 0.0) +
@@ -113,9 +132,8 @@ double share_of(const PlanFacts& facts, int axis, double width) {
 double cost_of_finer(const Level& coarser, const Members& coarse, const Members& fine,
                      const ShellCosts& costs) {
   constexpr double kRows = 9.0;
-  const double window_cells = 2.0 + 1.0 / coarser.reach;
-  const double candidates =
-      std::min(coarse.count, neighbours_in_cell(coarser, coarse) * window_cells * kRows);
+  const double candidates = std::min(
+      coarse.count, neighbours_in_cell(coarser, coarse) * window_in_cells(coarser) * kRows);
   return fine.count * (kRows * costs.per_probe + candidates * costs.per_candidate);
 }
 

@@ -129,9 +129,9 @@ Level make_level(const PlanFacts& facts, float r_max, double cell_side, std::uin
   level.grid = grid_with_unit(facts, unit_exponent(facts, side), side, columns, most_bits);
   const Grid& grid = level.grid;
   const std::uint32_t column_units = grid.width[0].units;
-  level.reach =
-      (grid.width[1].units + OCTOCELL_FAULT(level_reach_rounded_down, 0U, column_units - 1)) /
-      column_units;
+  const auto diameter_units = static_cast<std::uint32_t>(std::ceil(least * grid.units_per_length));
+  level.reach = (diameter_units + OCTOCELL_FAULT(level_reach_rounded_down, 0U, column_units - 1)) /
+                column_units;
   level.ids = 1;
   for (int a = 0; a < 3; ++a) level.ids *= grid.period(a);
   return level;

@@ -12,18 +12,19 @@ namespace octocell {
 
 /// The same of method half_shell.
 struct ShellCosts {
-  double per_sphere = 9.0;         // id, gathering, and the window in its own row
-  double per_row = 30.0;           // to find a row's neighbours
-  double per_window = 2.6;         // of a sphere in a neighbouring row
-  double per_candidate = 0.1;      // in a window
-  double per_probe = 20.0;         // of a sphere in a row of another level
-  double per_id = 0.0;             // that there may be, with or without a sphere; 8 a sphere count
-  double per_pass = 1.5;           // of a sphere in the sort, by one digit
-  double per_wrapped = 0.0;        // of a sphere in a level with an axis that wraps, besides
-  double in_cache = 0.7;           // of all this for a hundred spheres; 1 for 1e5 and more
-  bool finer_probe = false;        // the finer spheres look for the coarser ones
-  int sides_per_doubling = 1;      // that are tried
-  std::uint32_t most_columns = 8;  // into which a cell is cut
+  double per_sphere = 10.0;         // id, gathering, and the window in its own row
+  double per_row = 290.0;           // to find its neighbours, and to list what is near them
+  double per_window = 2.0;          // of a sphere in a neighbouring row
+  double per_candidate = 0.06;      // in a window
+  double per_probe = 80.0;          // of a sphere in a row of another level
+  double per_id = 0.0;              // that there may be, with or without a sphere; 8 a sphere count
+  double per_pass = 1.4;            // of a sphere in the sort, by one digit
+  double per_wrapped = 0.0;         // of a sphere in a level with an axis that wraps, besides
+  double in_cache = 0.7;            // of all this for a hundred spheres; 1 for 1e5 and more
+  bool near_borders = true;         // other rows meet only spheres that are near them
+  bool finer_probe = false;         // the finer spheres look for the coarser ones
+  int sides_per_doubling = 1;       // that are tried
+  std::uint32_t most_columns = 16;  // into which a cell is cut
 };
 
 /// What work costs on the machine that will do it, in nanoseconds; only the ratios matter.

@@ -35,6 +35,7 @@ constexpr Costs kDeviceCosts = {.per_id = 0.042,
                                           .per_pass = 0.006,
                                           .per_wrapped = 0.05,
                                           .in_cache = 1.0,
+                                          .near_borders = false,
                                           .finer_probe = true,
                                           .sides_per_doubling = 4,
                                           .most_columns = 1}};
@@ -51,7 +52,10 @@ constexpr Costs kThrustCosts = {.per_id = 46.0,
                                           .per_window = 60.0,
                                           .per_candidate = 2.3,
                                           .per_probe = 470.0,
-                                          .in_cache = 1.0}};
+                                          .per_pass = 1.5,
+                                          .in_cache = 1.0,
+                                          .near_borders = false,
+                                          .most_columns = 8}};
 
 /// Thrust's kernels take longer than ours, most of all those that search for rows: on the same
 /// machine, a million spheres.

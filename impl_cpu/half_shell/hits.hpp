@@ -10,35 +10,45 @@ namespace octocell::cpu::half_shell {
 
 static_assert(OrderedSpheres::kMargin >= kLanes && OrderedSpheres::kMargin >= kPassed);
 
+/// Which sphere is k: k, or what a list says.
+struct InOrder {
+  std::uint32_t operator()(std::uint64_t k) const { return static_cast<std::uint32_t>(k); }
+};
+struct Listed {
+  const std::uint32_t* spheres;
+  std::uint32_t operator()(std::uint64_t k) const { return spheres[k]; }
+};
+
 /// Spheres side by side and one that may overlap some of them, noted down as they are found and
 /// decided many at a time: a hit comes every few rounds, when no predictor expects it, so the loop
 /// that looks for hits has no branch on them.
-template <PairTest test>
+template <PairTest test, typename InLanes = InOrder>
 class Hits {
  public:
   using Neighbours = Lanes<test, kLanes>;
 
   /// Those in the lanes, and those that come one by one, may be of two structures.
-  Hits(Workspace& w, const OrderedSpheres& in_lanes, const OrderedSpheres& one_by_one)
-      : in_lanes_(in_lanes), one_by_one_(one_by_one), sink_(w) {}
+  Hits(Workspace& w, const OrderedSpheres& in_lanes, const OrderedSpheres& one_by_one,
+       InLanes which_in_lanes = {})
+      : in_lanes_(in_lanes), which_in_lanes_(which_in_lanes), one_by_one_(one_by_one), sink_(w) {}
   Hits(const Hits&) = delete;
   Hits& operator=(const Hits&) = delete;
   ~Hits() { decide(); }
 
-  /// The spheres of the run against those in the first `size` lanes, which begin at sphere `begin`.
-  void find(std::uint32_t begin, std::uint32_t size, const Neighbours& lanes, Run run) {
+  /// The spheres of the run against those in the first `size` lanes, which begin at `begin`.
+  template <typename Ones = InOrder>
+  void find(std::uint32_t begin, std::uint32_t size, const Neighbours& lanes, Run run,
+            Ones which = {}) {
     const LaneBits taken = first_bits(size);
-    while (!run.empty()) {
-      const Run some = {run.begin, std::min(run.end, run.begin + kMostAtOnce)};
-      look_through(begin, lanes, some, [taken](std::uint64_t) { return taken; });
-      run.begin = some.end;
-    }
+    look_through(begin, lanes, run, which, [taken](std::uint64_t) { return taken; });
   }
 
-  /// The spheres of the run, which are those of the lanes, against the lanes before them.
-  void find_behind(std::uint32_t begin, const Neighbours& lanes, Run run) {
-    look_through(begin, lanes, run, [begin](std::uint64_t j) {
-      return first_bits(static_cast<std::uint32_t>(j) - begin);
+  /// The spheres of the run, which follow those of the lanes or are among them, against the lanes
+  /// before them.
+  void find_behind(std::uint32_t begin, std::uint32_t size, const Neighbours& lanes, Run run) {
+    const LaneBits taken = first_bits(size);
+    look_through(begin, lanes, run, InOrder{}, [begin, taken](std::uint64_t j) {
+      return static_cast<LaneBits>(first_bits(static_cast<std::uint32_t>(j) - begin) & taken);
     });
   }
 
@@ -49,33 +59,7 @@ class Hits {
     if (count_ == kRoom) decide();
   }
 
- private:
-  static constexpr std::uint32_t kMostAtOnce = 256;
-  static constexpr std::uint32_t kRoom = 1024;
-
-  template <typename Which>
-  void look_through(std::uint32_t begin, const Neighbours& lanes, Run run, const Which& which) {
-    if (count_ + kMostAtOnce > kRoom) decide();
-    count_ =
-        note(lanes, one_by_one_.fields<test>(), std::uint64_t{begin} << 32, run, which, count_);
-  }
-
-  /// The inner loop of everything. A function of its own, so that what it needs stays in registers.
-  template <typename Which>
-  [[gnu::noinline]] std::uint32_t note(const Neighbours lanes, const FieldsOf<test> ones,
-                                       std::uint64_t begin, Run run, Which which,
-                                       std::uint32_t count) {
-    std::uint64_t* const spheres = spheres_;
-    LaneBits* const found = lanes_;
-    for (std::uint64_t j = run.begin; j < run.end; ++j) {
-      const LaneBits bits = lanes.may_overlap(ones, j) & which(j);
-      spheres[count] = begin | j;
-      found[count] = bits;
-      count += bits != 0 ? 1 : 0;
-    }
-    return count;
-  }
-
+  /// What was noted so far, before lists change that it is told by.
   void decide() {
     for (std::uint32_t k = 0; k < count_; ++k) {
       const auto sphere = static_cast<std::uint32_t>(spheres_[k]);
@@ -83,14 +67,48 @@ class Hits {
       const Sphere other = one_by_one_.at(sphere);
       const std::uint32_t other_id = one_by_one_.sphere[sphere];
       for_each_lane(lanes_[k], [&](std::uint32_t lane) {
-        const std::uint32_t i = begin + lane;
+        const std::uint32_t i = which_in_lanes_(begin + lane);
         sink_.take<test>(in_lanes_.at(i), in_lanes_.sphere[i], other, other_id);
       });
     }
     count_ = 0;
   }
 
+ private:
+  static constexpr std::uint32_t kMostAtOnce = 256;
+  static constexpr std::uint32_t kRoom = 1024;
+
+  template <typename Ones, typename Taken>
+  void look_through(std::uint32_t begin, const Neighbours& lanes, Run run, Ones which,
+                    const Taken& taken) {
+    while (!run.empty()) {
+      const Run some = {run.begin, std::min(run.end, run.begin + kMostAtOnce)};
+      if (count_ + kMostAtOnce > kRoom) decide();
+      count_ = note(lanes, one_by_one_.fields<test>(), std::uint64_t{begin} << 32, some, which,
+                    taken, count_);
+      run.begin = some.end;
+    }
+  }
+
+  /// The inner loop of everything. A function of its own, so that what it needs stays in registers.
+  template <typename Ones, typename Taken>
+  [[gnu::noinline]] std::uint32_t note(const Neighbours lanes, const FieldsOf<test> ones,
+                                       std::uint64_t begin, Run run, Ones which, Taken taken,
+                                       std::uint32_t count) {
+    std::uint64_t* const spheres = spheres_;
+    LaneBits* const found = lanes_;
+    for (std::uint64_t k = run.begin; k < run.end; ++k) {
+      const std::uint64_t j = which(k);
+      const LaneBits bits = lanes.may_overlap(ones, j) & taken(j);
+      spheres[count] = begin | j;
+      found[count] = bits;
+      count += bits != 0 ? 1 : 0;
+    }
+    return count;
+  }
+
   const OrderedSpheres& in_lanes_;
+  const InLanes which_in_lanes_;
   const OrderedSpheres& one_by_one_;
   PairSink sink_;
   std::uint32_t count_ = 0;

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "impl_cpu/half_shell/half_shell.hpp"
+#include "impl_cpu/half_shell/hits.hpp"
+#include "impl_cpu/half_shell/row_cursor.hpp"
+
+namespace octocell::cpu::half_shell {
+
+/// One thread's work on one level: its spheres against those of a coarser one, which may be of
+/// another structure.
+template <PairTest test>
+class FinerLevel {
+ public:
+  FinerLevel(Workspace& w, const OrderedSpheres& spheres, const OrderedSpheres& others, int level)
+      : o_(spheres),
+        others_(others),
+        ids_(spheres.column_ids),
+        level_(w.plan.levels.level[level]),
+        grid_(level_.grid),
+        rows_(o_.rows.data() + o_.level_rows[level], o_.rows.data() + o_.level_rows[level + 1]),
+        limit_(w.plan.candidate_limit),
+        hits_(w, spheres, others) {}
+
+  [[nodiscard]] std::uint64_t candidates() const { return candidates_; }
+
+  /// One of the others, which is of another level, against what its box holds of this one.
+  void test_box(std::uint32_t sphere) {
+    const Sphere s = others_.at(sphere);
+    const float reach = std::nextafter(s.r + level_.r_max, HUGE_VALF);
+    const CellRange box = cells_met(grid_, s, reach);
+    for_each_z(box, [&](std::uint64_t first_id, std::uint64_t last_id) {
+      const Row* row = rows_.not_before(first_id);
+      for (; row != rows_.end() && row->first_id <= last_id; ++row) {
+        test_one(sphere, columns_in(*row, box.lowest.x, box.highest.x));
+      }
+      return row;
+    });
+  }
+
+ private:
+  using Neighbours = Lanes<test, kLanes>;
+
+  /// Sixteen from there on, of this row or not: who asks knows how many are.
+  Neighbours lanes_at(std::uint32_t begin) const { return Neighbours(o_.fields<test>(), begin); }
+
+  /// One sphere, which is not of the run, against the run.
+  void test_one(std::uint32_t sphere, Run run) {
+    if (candidates_ > limit_) return;
+    candidates_ += run.end - run.begin;
+    for (std::uint32_t j = run.begin; j < run.end; j += kLanes) {
+      const LaneBits found = lanes_at(j).may_overlap(others_.fields<test>(), sphere);
+      hits_.add(j, static_cast<LaneBits>(found & first_bits(run.end - j)), sphere);
+    }
+  }
+
+  /// The spheres of a row in columns first..last of the unwrapped axis.
+  Run columns_in(const Row& row, std::uint32_t first, std::uint32_t last) const {
+    const Run all = {row.begin, (&row + 1)->begin};
+    const std::uint32_t period = grid_.period(0);
+    if (grid_.wraps(0) && (last - first >= period || first / period != last / period)) return all;
+    const auto place = [&](std::uint64_t id) {
+      return static_cast<std::uint32_t>(std::lower_bound(ids_ + all.begin, ids_ + all.end, id) -
+                                        ids_);
+    };
+    const std::uint64_t row_id = row.first_id;
+    return {place(row_id + first % period), place(row_id + last % period + 1)};
+  }
+
+  /// Calls test_rows(first id, last id) for the rows of each z that the box meets. It returns the
+  /// row behind them, so that layers without a row are skipped, not visited.
+  template <typename TestRows>
+  void for_each_z(const CellRange& box, const TestRows& test_rows) {
+    const auto [y_parts, y_count] = periods(1, box.lowest.y, box.highest.y);
+    const auto [z_parts, z_count] = periods(2, box.lowest.z, box.highest.z);
+    for (int zp = 0; zp < z_count; ++zp) {
+      for (std::uint64_t z = z_parts[zp].begin; z < z_parts[zp].end;) {
+        std::uint64_t next_z = z + 1;
+        const std::uint64_t layer = level_.first_id + z * grid_.stride_z;
+        for (int yp = 0; yp < y_count; ++yp) {
+          const Row* const behind =
+              test_rows(layer + y_parts[yp].begin * std::uint64_t{grid_.stride_y},
+                        layer + (y_parts[yp].end - 1) * std::uint64_t{grid_.stride_y});
+          if (yp + 1 < y_count) continue;
+          if (behind == rows_.end())
+            next_z = z_parts[zp].end;
+          else
+            next_z = std::max<std::uint64_t>(next_z,
+                                             (behind->first_id - level_.first_id) / grid_.stride_z);
+        }
+        z = next_z;
+      }
+    }
+  }
+
+  /// Cells low..high of an axis that may wrap, as at most two runs of cells that have ids.
+  std::pair<std::array<Run, 2>, int> periods(int axis, std::uint32_t low,
+                                             std::uint32_t high) const {
+    const std::uint32_t period = grid_.period(axis);
+    if (high - low >= period) return {{Run{0, period}}, 1};
+    const std::uint32_t first = low & grid_.wrap_mask[axis];
+    const std::uint32_t last = high & grid_.wrap_mask[axis];
+    if (first <= last) return {{Run{first, last + 1}}, 1};
+    return {{Run{0, last + 1}, Run{first, period}}, 2};
+  }
+
+  const OrderedSpheres& o_;
+  const OrderedSpheres& others_;  // as a rule the same
+  const std::uint32_t* const ids_;
+  const Level& level_;
+  const Grid& grid_;
+  RowCursor rows_;
+  const std::uint64_t limit_;
+  Hits<test> hits_;
+  std::uint64_t candidates_ = 0;
+};
+
+}  // namespace octocell::cpu::half_shell

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "harness/interface/faults.hpp"
+#include "impl_cpu/half_shell/borders.hpp"
+#include "impl_cpu/half_shell/half_shell.hpp"
+#include "impl_cpu/half_shell/hits.hpp"
+#include "impl_cpu/half_shell/row_cursor.hpp"
+#include "impl_cpu/half_shell/steps.hpp"
+
+namespace octocell::cpu::half_shell {
+
+/// One thread's work on one level: its rows against themselves and those of their half shell.
+///
+/// Spheres that follow each other in a row lie in the lanes; those that may be near one of them
+/// come one after the other. Of two different rows only spheres near their common border take
+/// part, which are listed first: rows are some diameters wide, so most spheres stay out.
+template <PairTest test>
+class SameLevel {
+ public:
+  /// sweep() takes at most so many.
+  static constexpr std::uint32_t kMostSwept = 4096;
+
+  SameLevel(Workspace& w, const OrderedSpheres& spheres, int level)
+      : o_(spheres),
+        ids_(spheres.column_ids),
+        level_(w.plan.levels.level[level]),
+        grid_(level_.grid),
+        diameter_(OCTOCELL_FAULT(border_reach_short, 1.0F, 2.0F) * level_.r_max),
+        rows_(o_.rows.data() + o_.level_rows[level], o_.rows.data() + o_.level_rows[level + 1]),
+        limit_(w.plan.candidate_limit),
+        hits_within_(w, spheres, spheres),
+        hits_across_(w, spheres, spheres, Listed{in_lanes_}) {}
+
+  [[nodiscard]] std::uint64_t candidates() const { return candidates_; }
+
+  /// Spheres [begin, end) of the level against those of their row and of its half shell.
+  void sweep(std::uint32_t begin, std::uint32_t end) {
+    std::array<RowCursor, std::size(kHalfShell)> cursors = {rows_, rows_, rows_, rows_};
+    for (const Row* row = rows_.row_of(begin); row != rows_.end() && row->begin < end; ++row) {
+      const Run all = {row->begin, (row + 1)->begin};
+      const Run part = {std::max(all.begin, begin), std::min(all.end, end)};
+      sweep_row(*row, part, all);
+      const Place at = place_of(*row);
+      for (std::size_t k = 0;
+           OCTOCELL_FAULT(shell_row_missing, k + 1 < cursors.size(), k < cursors.size()); ++k) {
+        const auto there = row_one_step(at, kHalfShell[k], cursors[k]);
+        if (there) sweep_rows(*row, part, *there, strips(at, kHalfShell[k]));
+      }
+    }
+  }
+
+ private:
+  using Neighbours = Lanes<test, kLanes>;
+
+  /// One step along y, z or both, from a row to one of its half shell.
+  struct Step {
+    int y;
+    int z;
+  };
+  static constexpr Step kHalfShell[] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}};
+
+  struct Place {
+    std::uint32_t y;
+    std::uint32_t z;
+    Border below_y, above_y, above_z;
+  };
+  Place place_of(const Row& row) const {
+    const std::uint32_t number = row.first_id - level_.first_id;
+    const std::uint32_t z = number / grid_.stride_z;
+    const std::uint32_t y = (number - z * grid_.stride_z) / grid_.stride_y;
+    return {y, z, border_below(grid_, 1, y, diameter_), border_below(grid_, 1, y + 1, diameter_),
+            border_below(grid_, 2, z + 1, diameter_)};
+  }
+
+  /// A row that is adjacent to another, and its spheres.
+  struct OtherRow {
+    std::uint32_t first_id;
+    Run spheres;
+  };
+  std::optional<OtherRow> row_one_step(const Place& at, Step step, RowCursor& cursor) const {
+    const auto y = step_along(grid_, 1, at.y, step.y);
+    const auto z = step_along(grid_, 2, at.z, step.z);
+    if (!y || !z) return std::nullopt;
+    const std::uint32_t id = level_.first_id + *y * grid_.stride_y + *z * grid_.stride_z;
+    const Run spheres = cursor.run_at(id);
+    if (spheres.empty()) return std::nullopt;
+    return OtherRow{id, spheres};
+  }
+
+  /// Of a row, and of the one a step further: where partners lie.
+  struct Strips {
+    Strip here;
+    Strip there;
+  };
+  static Strips strips(const Place& at, Step step) {
+    Strips found;
+    if (step.y > 0) {
+      found.here.lowest_y = at.above_y.lower;
+      found.there.highest_y = at.above_y.upper;
+    } else if (step.y < 0) {
+      found.here.highest_y = at.below_y.upper;
+      found.there.lowest_y = at.below_y.lower;
+    }
+    if (step.z > 0) {
+      found.here.lowest_z = at.above_z.lower;
+      found.there.highest_z = at.above_z.upper;
+    }
+    return found;
+  }
+
+  /// Spheres in the lanes, and the columns that they are in.
+  struct Group {
+    std::uint32_t begin;
+    std::uint32_t size;
+    std::uint32_t first_column;
+    std::uint32_t last_column;
+  };
+
+  /// Where x wraps, partners of the first columns lie in the last, too.
+  [[nodiscard]] bool wraps_down(const Group& g) const {
+    return OCTOCELL_FAULT(shell_seam_not_crossed, false,
+                          grid_.wraps(0) && g.first_column < level_.reach);
+  }
+  [[nodiscard]] bool wraps_up(const Group& g) const {
+    return grid_.wraps(0) && g.last_column + level_.reach >= grid_.period(0);
+  }
+  /// The first and the last column that spheres of the group have partners in, but for wrapping.
+  [[nodiscard]] std::uint32_t first_near(const Group& g) const {
+    return g.first_column - std::min(g.first_column, level_.reach);
+  }
+  [[nodiscard]] std::uint32_t last_near(const Group& g) const {
+    return std::min(g.last_column + level_.reach, grid_.period(0) - 1);
+  }
+
+  /// A row against itself: each sphere against those behind it.
+  void sweep_row(const Row& row, Run part, Run all) {
+    std::uint32_t near_end = part.begin;
+    for (std::uint32_t i = part.begin; i < part.end && candidates_ <= limit_; i += kLanes) {
+      const std::uint32_t size = std::min(kLanes, part.end - i);
+      const Group g = {i, size, ids_[i] - row.first_id, ids_[i + size - 1] - row.first_id};
+      near_end = first_above(ids_, near_end, row.first_id + last_near(g));
+      const std::uint32_t end = wraps_down(g) ? all.end : near_end;
+      candidates_ += std::uint64_t{size} * (size - 1) / 2 + std::uint64_t{size} * (end - i - size);
+      hits_within_.find_behind(i, size, Neighbours(o_.fields<test>(), i), {i + 1, end});
+    }
+  }
+
+  /// A part of a row against another row.
+  void sweep_rows(const Row& row, Run part, const OtherRow& other, const Strips& strips) {
+    const Run lanes = list_lanes(strips.here, part);
+    if (lanes.empty()) return;
+    Run left = near_part(all_of(lanes, row), other);
+    while (!left.empty()) {
+      const Run some = {left.begin, std::min(left.end, left.begin + kMostSwept)};
+      list_ones(strips.there, some);
+      sweep_lists(row, lanes, other);
+      left.begin = some.end;
+    }
+  }
+
+  /// Spheres of a list, from `begin` on.
+  [[nodiscard]] Group group_of(const Row& row, std::uint32_t begin, std::uint32_t size) const {
+    return {begin, size, ids_[in_lanes_[begin]] - row.first_id,
+            ids_[in_lanes_[begin + size - 1]] - row.first_id};
+  }
+  [[nodiscard]] Group all_of(Run lanes, const Row& row) const {
+    return group_of(row, lanes.begin, lanes.end - lanes.begin);
+  }
+
+  /// Of another row, the columns that are near.
+  Run near_part(const Group& g, const OtherRow& other) const {
+    const Run all = other.spheres;
+    if (wraps_down(g) || wraps_up(g)) return all;
+    const auto place = [&](std::uint32_t id) {
+      const std::uint32_t* const found = std::lower_bound(ids_ + all.begin, ids_ + all.end, id);
+      return static_cast<std::uint32_t>(found - ids_);
+    };
+    return {place(other.first_id + first_near(g)), place(other.first_id + last_near(g) + 1)};
+  }
+
+  void sweep_lists(const Row& row, Run lanes, const OtherRow& other) {
+    Run near = {0, 0};
+    for (std::uint32_t i = lanes.begin; i < lanes.end && candidates_ <= limit_; i += kLanes) {
+      const Group g = group_of(row, i, std::min(kLanes, lanes.end - i));
+      if (wraps_down(g) || wraps_up(g)) {
+        test_group(g, {0, ones_size_});
+        continue;
+      }
+      if (const std::uint32_t first = first_near(g); first > 0) {
+        near.begin = first_above(ones_ids_, near.begin, other.first_id + first - 1);
+      }
+      near.end =
+          first_above(ones_ids_, std::max(near.begin, near.end), other.first_id + last_near(g));
+      test_group(g, near);
+    }
+  }
+
+  void test_group(const Group& g, Run ones) {
+    candidates_ += std::uint64_t{g.size} * (ones.end - ones.begin);
+    hits_across_.find(g.begin, g.size, lanes_of(g), ones, Listed{ones_});
+  }
+
+  /// They lie apart, so they are brought together. Lanes beyond them hold the last of them.
+  Neighbours lanes_of(const Group& g) const {
+    using Number = NumberOf<test>;
+    const FieldsOf<test> all = o_.fields<test>();
+    alignas(64) Number x[kLanes], y[kLanes], z[kLanes], r[kLanes];
+    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+      const std::uint32_t k = in_lanes_[g.begin + std::min(lane, g.size - 1)];
+      x[lane] = all.x[k];
+      y[lane] = all.y[k];
+      z[lane] = all.z[k];
+      r[lane] = all.r[k];
+    }
+    return Neighbours({x, y, z, r}, 0);
+  }
+
+  /// Of 16 spheres from k on, which lie in the strip.
+  [[nodiscard]] LaneBits in_strip(const Strip& strip, std::uint64_t k) const {
+    using Floats = Vector<float, kLanes>;
+    const Floats y(&o_.y[k], stdx::element_aligned);
+    const Floats z(&o_.z[k], stdx::element_aligned);
+    return bits_of(y > strip.lowest_y && y < strip.highest_y && z > strip.lowest_z &&
+                   z < strip.highest_z);
+  }
+
+  Run list_lanes(const Strip& strip, Run part) {
+    if (lanes_size_ + (part.end - part.begin) > kMostListed) {
+      hits_across_.decide();
+      lanes_size_ = 0;
+    }
+    const std::uint32_t begin = lanes_size_;
+    for (std::uint32_t k = part.begin; k < part.end; k += kLanes) {
+      const LaneBits found = in_strip(strip, k) & first_bits(part.end - k);
+      list_places(found, k, in_lanes_ + lanes_size_);
+      lanes_size_ += static_cast<std::uint32_t>(std::popcount(found));
+    }
+    return {begin, lanes_size_};
+  }
+
+  void list_ones(const Strip& strip, Run run) {
+    ones_size_ = 0;
+    for (std::uint32_t k = run.begin; k < run.end; k += kLanes) {
+      const LaneBits found = in_strip(strip, k) & first_bits(run.end - k);
+      list_places(found, k, ones_ + ones_size_);
+      list_values(found, ids_ + k, ones_ids_ + ones_size_);
+      ones_size_ += static_cast<std::uint32_t>(std::popcount(found));
+    }
+    std::fill_n(ones_ids_ + ones_size_, kPassed, ~0U);
+  }
+
+  static constexpr std::uint32_t kMostListed = 2 * kMostSwept;
+
+  const OrderedSpheres& o_;
+  const std::uint32_t* const ids_;
+  const Level& level_;
+  const Grid& grid_;
+  const float diameter_;
+  RowCursor rows_;
+  const std::uint64_t limit_;
+  std::uint64_t candidates_ = 0;
+  std::uint32_t in_lanes_[kMostListed + kLanes];  // spheres; hits are told by places in this list
+  std::uint32_t lanes_size_ = 0;
+  std::uint32_t ones_[kMostSwept + kLanes];       // spheres of the other row
+  std::uint32_t ones_ids_[kMostSwept + kPassed];  // their columns' ids
+  std::uint32_t ones_size_ = 0;
+  Hits<test> hits_within_;
+  Hits<test, Listed> hits_across_;
+};
+
+}  // namespace octocell::cpu::half_shell
