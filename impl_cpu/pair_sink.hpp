@@ -24,8 +24,10 @@ class DoubtSink {
 
 class PairSink {
  public:
-  explicit PairSink(Workspace& w)
-      : flags_(w.scene.flags),
+  explicit PairSink(Workspace& w) : PairSink(w, w.scene.flags) {}
+  /// Without flags, pairs have been asked for theirs before.
+  PairSink(Workspace& w, std::span<const Flags> flags)
+      : flags_(flags),
         packing_(w.plan.packing),
         sure_(w.pairs),
         doubt_sink_(w),

@@ -144,7 +144,7 @@ TEST(Unchanged, AFrameThatFailedIsNoGround) {
 TEST(FewMovers, CostWorkInProportionToThem) {
   for (const char* spec : {"gas:n=20000", "dense:n=20000", "poly:n=20000", "giant:n=20000"}) {
     const Frames frames = played(spec, Motion::few, 6);
-    Player player = on_cpu(moving());
+    Player player = on_cpu(moving(Skips::all().without(Skip::skin)));
     for (std::size_t f = 0; f < frames.size(); ++f) {
       const Counts counts = player.check({frames[f]}, spec);
       if (f == 0) continue;
@@ -204,6 +204,36 @@ TEST(Skin, TestsTheNearPairsAndNoOthers) {
     }
     EXPECT_LE(searches, 4) << spec;
   }
+}
+
+TEST(Skin, ServesWhereMostStandStillAndTheOthersMoveLittle) {
+  for (const Motion motion : {Motion::few, Motion::still}) {
+    const Frames frames = played("gas:n=20000", motion, 12);
+    Player player = on_cpu(moving(Skips::all().without(Skip::unchanged)));
+    // Where none moves, nothing is cheaper than to look for those that do.
+    const Skip expected = motion == Motion::few ? Skip::skin : Skip::few_movers;
+    std::size_t served = 0;
+    for (const Spheres& frame : frames) {
+      if (player.check({frame}, "a frame").served_by == expected) ++served;
+    }
+    EXPECT_GE(served, frames.size() / 2);
+  }
+}
+
+TEST(Skin, ListsNoPairThatMayNotCollide) {
+  const Scene scene = generate("gas:n=20000,static=0.9");
+  const Frames frames = move(scene.spheres, Motion::brownian, 12, 1, scene.flags);
+  Player with = on_cpu(moving());
+  Player without = on_cpu(moving());
+  Counts flagged;
+  Counts all;
+  for (const Spheres& frame : frames) {
+    flagged = with.check({frame, scene.flags}, "with flags");
+    all = without.check({frame}, "without");
+  }
+  EXPECT_EQ(flagged.served_by, Skip::skin);
+  EXPECT_EQ(all.served_by, Skip::skin);
+  EXPECT_LT(flagged.candidates, all.candidates / 2);
 }
 
 /// It flies through the others, which creep; the wider its steps, the fewer frames a list lasts.

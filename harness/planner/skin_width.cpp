@@ -36,6 +36,10 @@ std::optional<float> SkinWidth::half_skin_for(const FrameMotion& motion) {
     --pause_;
     return std::nullopt;
   }
+  return best_for(motion);
+}
+
+std::optional<float> SkinWidth::best_for(const FrameMotion& motion) const {
   const float step = std::max(motion.farthest * drift_, most_ / 1024.0F);
   std::optional<float> best;
   float best_cost = kWorthwhile;

@@ -15,9 +15,9 @@ struct FrameMotion {
 /// What a skin costs a backend, in times of a search. The defaults are impl_cpu's
 /// (docs/decisions/0016-frame-coherence.md).
 struct SkinCosts {
-  float list = 1.5F;         // the search of grown spheres, and the list
-  float fetch = 0.2F;        // each frame: every sphere fetched and compared
-  float near_pairs = 0.08F;  // each frame: the near pairs of ungrown spheres
+  float list = 1.6F;         // the search of grown spheres, and the list
+  float fetch = 0.17F;       // each frame: every sphere fetched and compared
+  float near_pairs = 0.13F;  // each frame: the near pairs of ungrown spheres
 };
 
 /// How wide a skin pays, if any does. A wide one lasts for many frames, each of which tests many
@@ -27,8 +27,13 @@ class SkinWidth {
   /// `most`: the most that a radius may grow by.
   void reset(float most, const SkinCosts& costs = {});
 
-  /// By how much to grow each radius now, for spheres that move like that.
+  /// By how much to grow each radius now, for spheres that move like that. A pause is a frame
+  /// shorter then.
   std::optional<float> half_skin_for(const FrameMotion& motion);
+  /// Whether it would say that some growth pays.
+  [[nodiscard]] bool pays_for(const FrameMotion& motion) const {
+    return pause_ == 0 && best_for(motion);
+  }
 
   /// A list was made with it, has served a frame, or has been left (or was too long).
   void made(float half_skin, const FrameMotion& motion);
@@ -36,6 +41,7 @@ class SkinWidth {
   void left();
 
  private:
+  [[nodiscard]] std::optional<float> best_for(const FrameMotion& motion) const;
   [[nodiscard]] float cost_a_frame(float growth, float frames) const;
 
   SkinCosts costs_;

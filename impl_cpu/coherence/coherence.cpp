@@ -4,8 +4,10 @@
 namespace octocell::cpu::coherence {
 namespace {
 
-/// Below this share of spheres that stand still, looking at all of them is not worth its time.
+/// Below this share of spheres that stand still, a search of the others is not worth its time.
 constexpr float kMostlyStill = 0.75F;
+/// Above this one it is worth more than a list of near pairs, for which all are looked at.
+constexpr float kNearlyAllStill = 0.97F;
 
 bool has_all_pairs(const Workspace& w) {
   return w.may_test_pairs() && w.pairs.size() <= w.plan.capacity.pairs &&
@@ -20,8 +22,8 @@ bool is_planned(const Workspace& w) { return w.scene.spheres.size() == w.plan.fa
 void Coherence::reset(const Workspace& w) {
   const Plan& plan = w.plan;
   const std::uint64_t count = w.scene.spheres.size();
-  is_used_ = plan.moving && plan.method == Method::half_shell && !plan.count_only &&
-             !plan.nothing_to_find;
+  is_used_ =
+      plan.moving && plan.method == Method::half_shell && !plan.count_only && !plan.nothing_to_find;
   course_ = Course::everything;
   forget();
   if (!is_used_) return;
@@ -55,7 +57,7 @@ void Coherence::choose_course(Workspace& w) {
   if (repair(w)) return;
   kept_.forget();
   movers_.forget();
-  if (copy_pays(w.plan.allowed)) kept_.keep(w.scene, *w.threads);
+  if (copy_pays(w)) kept_.keep(w.scene, *w.threads);
   if (reuse_list(w) || make_list(w)) return;
   movers_.start_anew();
 }
@@ -104,25 +106,25 @@ void Coherence::forget() {
   near_.forget();
 }
 
-/// The first frame is given the benefit of the doubt.
-bool Coherence::mostly_still() const { return !motion_ || motion_->still_share >= kMostlyStill; }
-
 /// Whether the next frame may be spared something by a copy of this one.
-bool Coherence::copy_pays(Skips allowed) const {
-  if (repairs_pay(allowed)) return true;
-  return allowed.has(Skip::unchanged) && (!motion_ || motion_->still_share == 1.0F);
+bool Coherence::copy_pays(const Workspace& w) const {
+  return repairs_pay(w) || (w.plan.allowed.has(Skip::unchanged) && none_moves());
 }
 
-bool Coherence::repairs_pay(Skips allowed) const {
-  return allowed.has(Skip::few_movers) && mostly_still();
+/// The first frame is given the benefit of the doubt.
+bool Coherence::none_moves() const { return !motion_ || motion_->still_share == 1.0F; }
+
+bool Coherence::repairs_pay(const Workspace& w) const {
+  if (!w.plan.allowed.has(Skip::few_movers)) return false;
+  if (!motion_ || motion_->still_share >= kNearlyAllStill) return true;
+  return motion_->still_share >= kMostlyStill && !(has_skin(w) && skin_.pays_for(*motion_));
 }
 
 /// Against the copy, if there is one and it looks worth while; of as many as can be of use.
 void Coherence::list_changed(const Workspace& w) {
-  const Skips allowed = w.plan.allowed;
-  const bool may_repair = allowed.has(Skip::few_movers) && movers_.others_stand();
-  const bool is_of_use = allowed.has(Skip::unchanged) || may_repair;
-  if (!is_of_use || !kept_.is_kept() || !mostly_still()) return;
+  const bool may_repair = movers_.others_stand() && repairs_pay(w);
+  const bool is_of_use = may_repair || (w.plan.allowed.has(Skip::unchanged) && none_moves());
+  if (!is_of_use || !kept_.is_kept()) return;
   const std::uint64_t most = may_repair ? movers_.most() : 0;
   kept_.list_changed(w.scene, *w.threads, most, changed_);
   changes_are_listed_ = changed_.size() <= most;
@@ -130,7 +132,7 @@ void Coherence::list_changed(const Workspace& w) {
 
 /// False: there is nothing that stands, or too little.
 bool Coherence::repair(Workspace& w) {
-  const bool may_repair = w.plan.allowed.has(Skip::few_movers) && movers_.others_stand();
+  const bool may_repair = movers_.others_stand() && repairs_pay(w);
   if (!may_repair || !changes_are_listed_ || !movers_.add(changed_.items())) return false;
   course_ = Course::movers;
   kept_.keep(w.scene, changed_.items());
@@ -138,9 +140,12 @@ bool Coherence::repair(Workspace& w) {
   return true;
 }
 
-/// Where most stand still, what they do not need is worth more.
+bool Coherence::has_skin(const Workspace& w) {
+  return w.plan.allowed.has(Skip::skin) && w.plan.skin.growth > 0.0F;
+}
+
 bool Coherence::reuse_list(Workspace& w) {
-  if (!near_.are_known() || repairs_pay(w.plan.allowed)) return false;
+  if (!near_.are_known() || repairs_pay(w)) return false;
   if (!near_.still_hold(w)) {
     near_.forget();
     skin_.left();
@@ -152,8 +157,7 @@ bool Coherence::reuse_list(Workspace& w) {
 }
 
 bool Coherence::make_list(Workspace& w) {
-  const bool may = w.plan.allowed.has(Skip::skin) && w.plan.skin.growth > 0.0F;
-  if (!may || !motion_ || repairs_pay(w.plan.allowed)) return false;
+  if (!has_skin(w) || !motion_ || repairs_pay(w)) return false;
   const std::optional<float> half_skin = skin_.half_skin_for(*motion_);
   if (!half_skin) return false;
   course_ = Course::new_list;

@@ -44,9 +44,10 @@ class Coherence {
   [[nodiscard]] std::optional<Skip> served_by() const;
 
  private:
-  [[nodiscard]] bool mostly_still() const;
-  [[nodiscard]] bool copy_pays(Skips allowed) const;
-  [[nodiscard]] bool repairs_pay(Skips allowed) const;
+  [[nodiscard]] static bool has_skin(const Workspace& w);
+  [[nodiscard]] bool none_moves() const;
+  [[nodiscard]] bool copy_pays(const Workspace& w) const;
+  [[nodiscard]] bool repairs_pay(const Workspace& w) const;
   void list_changed(const Workspace& w);
   bool repair(Workspace& w);
   bool reuse_list(Workspace& w);

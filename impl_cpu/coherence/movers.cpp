@@ -54,7 +54,7 @@ bool Movers::add(std::span<const std::uint32_t> changed) {
 }
 
 void Movers::gather(const Workspace& whole) {
-  constexpr std::uint64_t kPrefetchAhead = 32;
+  constexpr std::uint64_t kPrefetchAhead = 128;
   const Sphere* const spheres = whole.scene.spheres.data();
   for (std::uint64_t k = 0; k < count_; ++k) {
     __builtin_prefetch(&spheres[movers_[std::min(k + kPrefetchAhead, count_ - 1)]]);

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::uint64_t kSpheresPerBlock = 1 << 13;
 constexpr std::uint64_t kPairsPerBlock = 1 << 12;
-constexpr std::uint64_t kPrefetchAhead = 32;
+constexpr std::uint64_t kPrefetchAhead = 128;
+constexpr std::uint64_t kPairsAhead = 16;
 constexpr std::uint64_t kMostPerPair = 2;  // near pairs, for each pair that there is room for
 
 bool same_radius(const Sphere& a, const Sphere& b) {
@@ -60,6 +61,7 @@ bool NearPairs::find(Workspace& whole) {
   const std::uint64_t count = whole.scene.spheres.size();
   std::uint32_t* const numbers = grown_.ordered.sphere.data();
   std::iota(numbers, numbers + count, 0U);
+  put_flags_in_order(whole.scene.flags);
   cpu::pair_tests(grown_);
   const bool complete = grown_.pairs.complete() && grown_.doubts.complete();
   are_known_ = complete && grown_.candidates + size() <= whole.plan.candidate_limit;
@@ -68,6 +70,13 @@ bool NearPairs::find(Workspace& whole) {
   decide(whole);
   whole.candidates += grown_.candidates;
   return true;
+}
+
+/// Pairs that may not collide are not worth a look in every frame.
+void NearPairs::put_flags_in_order(std::span<const Flags> flags) {
+  flags_.resize(flags.size());
+  for (std::size_t k = 0; k < flags.size(); ++k) flags_[k] = flags[order()[k]];
+  grown_.scene.flags = flags_;
 }
 
 void NearPairs::fetch_then(const Workspace& whole) {
@@ -126,12 +135,15 @@ void NearPairs::decide_block(Workspace& whole, std::span<const Pair> near) const
   std::array<std::uint32_t, kPairsPerBlock> picked;
   std::size_t count = 0;
   for (std::uint32_t k = 0; k < near.size(); ++k) {
+    const Pair ahead = near[std::min<std::size_t>(k + kPairsAhead, near.size() - 1)];
+    __builtin_prefetch(&now_[ahead.i]);
+    __builtin_prefetch(&now_[ahead.j]);
     const Sphere a = stored<test>(now_[near[k].i]);
     const Sphere b = stored<test>(now_[near[k].j]);
     picked[count] = k;
     count += may_overlap<test>(a, b) ? 1 : 0;
   }
-  PairSink sink(whole);
+  PairSink sink(whole, {});
   for (std::size_t n = 0; n < count; ++n) {
     const Pair pair = near[picked[n]];
     sink.take<test>(stored<test>(now_[pair.i]), order()[pair.i], stored<test>(now_[pair.j]),

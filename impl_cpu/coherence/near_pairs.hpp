@@ -30,6 +30,7 @@ class NearPairs {
 
  private:
   [[nodiscard]] bool is_within_reach(const Sphere& then, const Sphere& now) const;
+  void put_flags_in_order(std::span<const Flags> flags);
   void fetch_then(const Workspace& whole);
   bool fetch(const Workspace& whole, std::uint64_t begin, std::uint64_t end);
   template <PairTest test>
@@ -41,10 +42,11 @@ class NearPairs {
 
   bool are_known_ = false;
   float half_skin_ = 0.0F;
-  Buffer<Sphere> spheres_;  // grown
-  Workspace grown_;         // its pairs are numbers in the order of the columns: neighbours in
-                            // space are neighbours in memory
-  Buffer<Sphere> then_;     // in that order, as they were when the list was made
+  Buffer<Sphere> spheres_;    // grown
+  Workspace grown_;           // its pairs are numbers in the order of the columns: neighbours in
+                              // space are neighbours in memory
+  std::vector<Flags> flags_;  // in that order, as they were when the list was made
+  Buffer<Sphere> then_;       // in that order, as they were when the list was made
   Buffer<Sphere> now_;
 };
 
