@@ -8,8 +8,8 @@
 //       one of them come one after the other, and no branch depends on where they lie.
 #include <atomic>
 
-#include "impl_cpu/half_shell/finer_level.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
+#include "impl_cpu/half_shell/level_boxes.hpp"
 #include "impl_cpu/half_shell/other_rows.hpp"
 #include "impl_cpu/half_shell/same_level.hpp"
 
@@ -44,7 +44,7 @@ void test_boxes(Workspace& w, const OrderedSpheres& spheres, int level,
                 std::atomic<std::uint64_t>& candidates) {
   for_spheres(w, spheres_of(others, level_of_others), kBoxesPerBlock, candidates,
               [&](std::uint32_t begin, std::uint32_t end) {
-                FinerLevel<test> tester(w, spheres, others, level);
+                LevelBoxes<test> tester(w, spheres, others, level);
                 for (std::uint32_t s = begin; s < end; ++s) tester.test_box(s);
                 return tester.candidates();
               });

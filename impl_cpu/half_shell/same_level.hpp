@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <optional>
 
 #include "harness/interface/faults.hpp"
 #include "impl_cpu/half_shell/borders.hpp"

@@ -12,12 +12,12 @@
 
 namespace octocell::cpu::half_shell {
 
-/// One thread's work on one level: its spheres against those of a coarser one, which may be of
-/// another structure.
+/// One thread's work on one level: single spheres of other levels, the coarser ones as a rule,
+/// against what their boxes hold of it. They may be of another structure.
 template <PairTest test>
-class FinerLevel {
+class LevelBoxes {
  public:
-  FinerLevel(Workspace& w, const OrderedSpheres& spheres, const OrderedSpheres& others, int level)
+  LevelBoxes(Workspace& w, const OrderedSpheres& spheres, const OrderedSpheres& others, int level)
       : o_(spheres),
         others_(others),
         ids_(spheres.column_ids),
