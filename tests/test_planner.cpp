@@ -104,10 +104,10 @@ PlanOptions planned(Skips allowed = Skips::all(), Skips forced = {}) {
 }
 
 TEST(Planner, TestsAllPairsOfFewSpheres) {
-  const Plan plan = plan_for("gas:n=40", planned());
+  const Plan plan = plan_for("gas:n=60", planned());
   EXPECT_EQ(plan.method, Method::brute_force);
   EXPECT_TRUE(plan.taken.has(Skip::grid));
-  EXPECT_NE(plan_for("gas:n=40", planned(Skips::all().without(Skip::grid))).method,
+  EXPECT_NE(plan_for("gas:n=60", planned(Skips::all().without(Skip::grid))).method,
             Method::brute_force);
 }
 

@@ -41,9 +41,11 @@ Members members_of(const SceneStats& stats, Octaves octaves) {
   return members;
 }
 
-/// How many make a cell as long as it is wide.
+/// How many make a cell as long as it is wide, or as long as the scene, where that is shorter.
 std::uint32_t columns_per_cell(const Grid& grid) {
-  return (grid.width[1].units + grid.width[0].units - 1) / grid.width[0].units;
+  const std::uint32_t columns =
+      (grid.width[1].units + grid.width[0].units - 1) / grid.width[0].units;
+  return std::min(columns, grid.cell_count[0]);
 }
 
 /// Pairs of the sample that share a block of 2^shift cells a side.
