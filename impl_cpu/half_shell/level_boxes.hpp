@@ -64,12 +64,8 @@ class LevelBoxes {
     const Run all = {row.begin, (&row + 1)->begin};
     const std::uint32_t period = grid_.period(0);
     if (grid_.wraps(0) && (last - first >= period || first / period != last / period)) return all;
-    const auto place = [&](std::uint64_t id) {
-      return static_cast<std::uint32_t>(std::lower_bound(ids_ + all.begin, ids_ + all.end, id) -
-                                        ids_);
-    };
     const std::uint64_t row_id = row.first_id;
-    return {place(row_id + first % period), place(row_id + last % period + 1)};
+    return with_ids(ids_, all, row_id + first % period, row_id + last % period);
   }
 
   /// Calls test_rows(first id, last id) for the rows of each z that the box meets. It returns the

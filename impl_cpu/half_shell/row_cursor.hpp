@@ -14,6 +14,15 @@ struct Run {
   [[nodiscard]] bool empty() const { return begin >= end; }
 };
 
+/// Of a run of spheres, those whose ids, which are sorted, are first..last.
+inline Run with_ids(const std::uint32_t* ids, Run among, std::uint64_t first, std::uint64_t last) {
+  const auto place = [&](std::uint64_t id) {
+    return static_cast<std::uint32_t>(std::lower_bound(ids + among.begin, ids + among.end, id) -
+                                      ids);
+  };
+  return {place(first), place(last + 1)};
+}
+
 /// Finds the rows of a level by id, quickly where the next is near the last: doubling steps from
 /// there, then halving ones (Bentley and Yao 1976, an almost optimal algorithm for unbounded
 /// searching). Rows are asked for nearly in order, so no table of all rows is needed, however many

@@ -130,6 +130,7 @@ class SameLevel {
   [[nodiscard]] bool wraps_up(const Group& g) const {
     return grid_.wraps(0) && g.last_column + level_.reach >= grid_.period(0);
   }
+  [[nodiscard]] bool is_at_seam(const Group& g) const { return wraps_down(g) || wraps_up(g); }
   /// The first and the last column that spheres of the group have partners in, but for wrapping.
   [[nodiscard]] std::uint32_t first_near(const Group& g) const {
     return g.first_column - std::min(g.first_column, level_.reach);
@@ -155,7 +156,7 @@ class SameLevel {
   void sweep_rows(const Row& row, Run part, const OtherRow& other, const Strips& strips) {
     const Run lanes = list_lanes(strips.here, part);
     if (lanes.empty()) return;
-    Run left = near_part(all_of(lanes, row), other);
+    Run left = near_part(group_of(row, lanes.begin, lanes.end - lanes.begin), other);
     while (!left.empty()) {
       const Run some = {left.begin, std::min(left.end, left.begin + kMostSwept)};
       list_ones(strips.there, some);
@@ -169,26 +170,19 @@ class SameLevel {
     return {begin, size, ids_[in_lanes_[begin]] - row.first_id,
             ids_[in_lanes_[begin + size - 1]] - row.first_id};
   }
-  [[nodiscard]] Group all_of(Run lanes, const Row& row) const {
-    return group_of(row, lanes.begin, lanes.end - lanes.begin);
-  }
 
   /// Of another row, the columns that are near.
   Run near_part(const Group& g, const OtherRow& other) const {
     const Run all = other.spheres;
-    if (wraps_down(g) || wraps_up(g)) return all;
-    const auto place = [&](std::uint32_t id) {
-      const std::uint32_t* const found = std::lower_bound(ids_ + all.begin, ids_ + all.end, id);
-      return static_cast<std::uint32_t>(found - ids_);
-    };
-    return {place(other.first_id + first_near(g)), place(other.first_id + last_near(g) + 1)};
+    if (is_at_seam(g)) return all;
+    return with_ids(ids_, all, other.first_id + first_near(g), other.first_id + last_near(g));
   }
 
   void sweep_lists(const Row& row, Run lanes, const OtherRow& other) {
     Run near = {0, 0};
     for (std::uint32_t i = lanes.begin; i < lanes.end && candidates_ <= limit_; i += kLanes) {
       const Group g = group_of(row, i, std::min(kLanes, lanes.end - i));
-      if (wraps_down(g) || wraps_up(g)) {
+      if (is_at_seam(g)) {
         test_group(g, {0, ones_size_});
         continue;
       }
