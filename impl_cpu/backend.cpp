@@ -64,7 +64,7 @@ class CpuBackend final : public GridPairFinder {
     return GridPairFinder::runs(stage) && coherence_.runs(stage);
   }
   void bounds() override {
-    if (coherence_.nothing_changed(w_)) return;
+    if (coherence_.nothing_changed(w_) || coherence_.near_pairs_stand(w_)) return;
     cpu::bounds(w_);
     coherence_.choose_course(w_);
   }

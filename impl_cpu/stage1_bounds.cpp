@@ -15,17 +15,6 @@ namespace {
 
 constexpr std::uint64_t kBlock = 1 << 16;
 
-bool within(const PlanFacts& seen, const PlanFacts& planned) {
-  bool inside = seen.sphere_count == planned.sphere_count &&
-                OCTOCELL_FAULT(bounds_radius_unchecked, true, seen.r_max <= planned.r_max);
-  for (int a = 0; a < 3; ++a) {
-    inside = inside && seen.lowest[a] >= planned.lowest[a] && seen.highest[a] <= planned.highest[a];
-  }
-  const bool has_radius = seen.r_min_nonzero != 0.0F;
-  inside = inside && (!has_radius || seen.r_min_nonzero >= planned.r_min_nonzero);
-  return inside && seen.r_min >= planned.r_min;
-}
-
 /// What the stages that will not run would have left behind.
 void leave_nothing(Workspace& w) {
   w.id_count = 0;
@@ -38,10 +27,19 @@ void leave_nothing(Workspace& w) {
 
 }  // namespace
 
+bool are_within(const PlanFacts& seen, const PlanFacts& planned) {
+  bool inside = seen.sphere_count == planned.sphere_count &&
+                OCTOCELL_FAULT(bounds_radius_unchecked, true, seen.r_max <= planned.r_max);
+  for (int a = 0; a < 3; ++a) {
+    inside = inside && seen.lowest[a] >= planned.lowest[a] && seen.highest[a] <= planned.highest[a];
+  }
+  const bool has_radius = seen.r_min_nonzero != 0.0F;
+  inside = inside && (!has_radius || seen.r_min_nonzero >= planned.r_min_nonzero);
+  return inside && seen.r_min >= planned.r_min;
+}
+
 void bounds(Workspace& w) {
-  w.violation.reset();
-  w.candidates = 0;
-  w.used = {};
+  w.forget_last_run();
   if (w.plan.nothing_to_find) leave_nothing(w);
   const std::span<const Sphere> spheres = w.scene.spheres;
   if (spheres.empty()) return;
@@ -58,9 +56,10 @@ void bounds(Workspace& w) {
     seen = seen ? merge(*seen, part) : part;
     on_lattice = on_lattice && part_on_lattice;
   });
+  w.facts = seen->facts;
   if (!seen->valid) {
     w.violation = describe_first_invalid(spheres);
-  } else if (!on_lattice || !within(seen->facts, w.plan.facts)) {
+  } else if (!on_lattice || !are_within(w.facts, w.plan.facts)) {
     w.violation = kFactsBroken;
   }
 }

@@ -47,6 +47,7 @@ struct Workspace {
   SharedList<Pair> doubts;                   // in a count_only plan only counted: see resolve()
   PairList pairs;
 
+  PlanFacts facts;  // of the scene, as stage 1 has seen it last
   std::uint64_t candidates = 0;
   Skips used;  // of those that only the data can allow
   std::optional<std::string> violation;
@@ -54,12 +55,22 @@ struct Workspace {
   /// Room for what the plan says.
   void allocate();
 
+  /// Before each run.
+  void forget_last_run() {
+    violation.reset();
+    candidates = 0;
+    used = {};
+  }
+
   [[nodiscard]] bool ids_complete() const { return id_count <= plan.capacity.ids; }
   /// Whether later stages have something sound to work on.
   [[nodiscard]] bool may_test_pairs() const {
     return !violation && ids_complete() && cells.complete() && candidates <= plan.candidate_limit;
   }
 };
+
+/// Whether these facts are at least as strong as those of a plan.
+bool are_within(const PlanFacts& seen, const PlanFacts& planned);
 
 void bounds(Workspace& w);
 void cell_ids(Workspace& w);

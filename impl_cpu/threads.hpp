@@ -38,6 +38,16 @@ class Threads {
     run(take_blocks);
   }
 
+  /// Whether holds(begin, end) of each block; once it does not, no more are asked.
+  template <typename Holds>
+  bool for_all_blocks(std::uint64_t size, std::uint64_t block, const Holds& holds) {
+    std::atomic<bool> all = true;
+    for_blocks(size, block, [&](std::uint64_t begin, std::uint64_t end) {
+      if (all.load(std::memory_order_relaxed) && !holds(begin, end)) all = false;
+    });
+    return all;
+  }
+
  private:
   struct Pool;
   int count_;

@@ -7,12 +7,25 @@
 #include <string>
 #include <vector>
 
+#include "harness/interface/flags.hpp"
 #include "harness/scenes/motion.hpp"
 #include "harness/scenes/scenes.hpp"
 
 namespace octocell {
 
 using Spheres = std::vector<Sphere>;
+using AllFlags = std::vector<Flags>;
+
+/// `share` of them static, the others in groups of which some do not meet. Below zero: no flags.
+inline AllFlags flags_of(std::size_t count, double share, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  AllFlags flags(share < 0.0 ? 0 : count);
+  for (Flags& f : flags) {
+    f = make_flags(unit(random) < share, 1U << random() % 2, kMaxMask & ~(random() % 2));
+  }
+  return flags;
+}
 
 inline Frames played(const char* spec, Motion motion, int count = 10) {
   return move(generate(spec).spheres, motion, count, 1);

@@ -17,7 +17,8 @@ namespace {
 /// What the device holds, and what a frame does with it.
 class Model {
  public:
-  Model(const Allowed& allowed, float growth) : allowed_(allowed), growth_(growth) {}
+  Model(const Allowed& allowed, float growth, double static_share)
+      : allowed_(allowed), growth_(growth), static_share_(static_share) {}
 
   Course play(const Spheres& now) {
     if (now.size() != before_.size()) start_anew(now);
@@ -33,19 +34,28 @@ class Model {
     return course;
   }
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
+  [[nodiscard]] std::vector<Pair> truth(const Spheres& spheres) const {
+    return reference::exact_pairs(spheres, flags_);
+  }
 
  private:
   void start_anew(const Spheres& now) {
     kept_ = {};
     copy_ = searched_ = before_ = Spheres(now.size());
+    flags_ = flags_of(now.size(), static_share_, 11);
   }
 
   std::uint32_t look_at(const Trial& trial, const Sphere& now, std::size_t i) {
     if (trial.keep) copy_[i] = now;
     if (trial.compare && same_bits(now, copy_[i])) return 0;
     if (!trial.skin) return kDiffers;
-    const Verdict verdict = within_skin(searched_[i], now, kept_.growth);
-    const Step step = step_of(searched_[i], now, kept_.growth);
+    const float growth = growth_of(flags(), static_cast<std::uint32_t>(i), kept_.growth);
+    const Verdict verdict = within_skin(searched_[i], now, growth);
+    if (growth == 0.0F) {
+      EXPECT_EQ(verdict == Verdict::overlap, same_bits(searched_[i], now));
+      return verdict == Verdict::overlap ? kDiffers : kDiffers | kLeft;
+    }
+    const Step step = step_of(searched_[i], now, growth);
     const bool truth =
         reference::overlap(step.ball, step.point) && bits_of(searched_[i].r) == bits_of(now.r);
     if (verdict != Verdict::doubt) {
@@ -56,7 +66,7 @@ class Model {
 
   void answer(const Spheres& now, Course course) {
     if (course == Course::search) {
-      pairs_ = reference::exact_pairs(now);
+      pairs_ = truth(now);
       searched_ = now;
       if (kept_.list_made != 0) list_near_pairs(now);
     }
@@ -68,13 +78,19 @@ class Model {
   }
 
   void list_near_pairs(Spheres grown) {
-    for (Sphere& s : grown) s.r = grown_radius(s.r, growth_);
-    near_ = reference::exact_pairs(grown);
+    for (std::uint32_t i = 0; i < grown.size(); ++i) {
+      grown[i].r = radius_in_search(grown[i], flags(), i, growth_);
+    }
+    near_ = truth(grown);
     kept_.near_pairs = near_.size();
   }
 
+  [[nodiscard]] const Flags* flags() const { return flags_.empty() ? nullptr : flags_.data(); }
+
   Allowed allowed_;
   float growth_;
+  double static_share_;
+  AllFlags flags_;
   Kept kept_ = {};
   Spheres before_;
   Spheres copy_;
@@ -83,18 +99,20 @@ class Model {
   std::vector<Pair> pairs_;
 };
 
-TEST(CoherenceRules, TakeOverOnlyWhatIsProved) {
+class SharesOfStatic : public testing::TestWithParam<double> {};
+
+TEST_P(SharesOfStatic, TakeOverOnlyWhatIsProved) {
   constexpr std::uint64_t kRoom = 1'000'000;
   const Allowed choices[] = {
       {true, true, kRoom}, {true, false, 0}, {false, true, kRoom}, {true, true, 2000}};
   int served[4] = {};
   for (const Sequence& sequence : sequences()) {
     for (const Allowed& allowed : choices) {
-      Model model(allowed, 0.05F);
+      Model model(allowed, 0.05F, GetParam());
       for (std::size_t f = 0; f < sequence.frames.size(); ++f) {
         const Course course = model.play(sequence.frames[f]);
         ++served[static_cast<std::size_t>(course)];
-        ASSERT_EQ(model.pairs(), reference::exact_pairs(sequence.frames[f]))
+        ASSERT_EQ(model.pairs(), model.truth(sequence.frames[f]))
             << sequence.name << ", frame " << f;
         ASSERT_TRUE(course != Course::unchanged || allowed.unchanged);
         ASSERT_TRUE(course != Course::near_pairs || allowed.near_pairs);
@@ -102,8 +120,10 @@ TEST(CoherenceRules, TakeOverOnlyWhatIsProved) {
     }
   }
   EXPECT_GT(served[static_cast<std::size_t>(Course::unchanged)], 20);
-  EXPECT_GT(served[static_cast<std::size_t>(Course::near_pairs)], 100);
+  EXPECT_GT(served[static_cast<std::size_t>(Course::near_pairs)], GetParam() > 0.0 ? 50 : 100);
 }
+
+INSTANTIATE_TEST_SUITE_P(CoherenceRules, SharesOfStatic, testing::Values(-1.0, 0.0, 0.9));
 
 constexpr Allowed kAll = {true, true, 100};
 Kept all_kept() {
@@ -162,6 +182,18 @@ TEST(CoherenceRules, AnotherRadiusLeavesAnySkin) {
   EXPECT_EQ(within_skin({0, 0, 0, 1}, {0, 0, 0, std::nextafter(1.0F, 0.0F)}, 0.1F), Verdict::apart);
   EXPECT_EQ(within_skin({0, 0, 0, 1}, {0.2F, 0, 0, 1}, 0.1F), Verdict::apart);
   EXPECT_EQ(within_skin({0, 0, 0, 1}, {0.1F, 0, 0, 1}, 0.1F), Verdict::doubt);
+}
+
+TEST(CoherenceRules, StaticSpheresDoNotGrowAndMustStand) {
+  const Flags flags[] = {make_flags(true, 1, kMaxMask), make_flags(false, 1, kMaxMask)};
+  const Sphere s = {0, 0, 0, 1};
+  EXPECT_EQ(radius_in_search(s, flags, 0, 0.5F), 1.0F);
+  EXPECT_GE(radius_in_search(s, flags, 1, 0.5F), 1.5F);
+  EXPECT_GE(radius_in_search(s, nullptr, 0, 0.5F), 1.5F);
+  EXPECT_EQ(radius_in_search(s, flags, 1, 0.0F), 1.0F);
+  EXPECT_EQ(within_skin(s, s, growth_of(flags, 0, 0.5F)), Verdict::overlap);
+  EXPECT_EQ(within_skin(s, {0x1p-149F, 0, 0, 1}, growth_of(flags, 0, 0.5F)), Verdict::apart);
+  EXPECT_EQ(within_skin(s, {0x1p-149F, 0, 0, 1}, growth_of(flags, 1, 0.5F)), Verdict::overlap);
 }
 
 }  // namespace

@@ -4,9 +4,6 @@
 // says why it was skipped.
 #include <gtest/gtest.h>
 
-#include <random>
-
-#include "harness/interface/flags.hpp"
 #include "impl_cuda_custom/backend.hpp"
 #include "tests/frame_player.hpp"
 
@@ -23,19 +20,6 @@ class FramesOnDevice : public testing::Test {
   }
 };
 
-using AllFlags = std::vector<Flags>;
-
-/// `share` of them static, the others in groups of which some do not meet.
-AllFlags flags_of(std::size_t count, double share, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> unit(0.0, 1.0);
-  AllFlags flags(count);
-  for (Flags& f : flags) {
-    f = make_flags(unit(random) < share, 1U << random() % 2, kMaxMask & ~(random() % 2));
-  }
-  return flags;
-}
-
 class CoherenceOnDevice : public FramesOnDevice, public testing::WithParamInterface<double> {};
 
 /// The parameter: the share of static spheres; none, below zero, no flags.
@@ -43,8 +27,7 @@ TEST_P(CoherenceOnDevice, EveryFrameHasTheExactPairsWhateverIsAllowed) {
   Served served = {};
   play_with_every_choice([](Skips allowed) { return on_device(moving(allowed)); },
                          [](const Spheres& spheres) {
-                           return GetParam() < 0.0 ? AllFlags()
-                                                   : flags_of(spheres.size(), GetParam(), 11);
+                           return flags_of(spheres.size(), GetParam(), 11);
                          },
                          served);
   expect_all_to_have_served({Skip::unchanged, Skip::skin}, served);

@@ -70,6 +70,8 @@
   fault(frame_ignores_last_of_block, "the last sphere of a block is not compared") \
   fault(frame_keeps_flags, "changed flags go unnoticed") \
   fault(frame_skin_twice_too_wide, "spheres may move by the whole skin, not half") \
+  fault(frame_statics_unseen, "static spheres are taken to stand") \
+  fault(frame_box_unseen, "near pairs are taken to keep the plan's facts") \
   fault(frame_movers_stay_in_order, "movers are met where they were, too") \
   fault(frame_pairs_of_movers_stand, "pairs are dropped if the first of the two moved") \
   fault(frame_movers_not_forgotten, "marks of movers outlive the search of all") \

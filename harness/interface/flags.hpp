@@ -3,6 +3,8 @@
 // looks for a pair's exact answer; only the reference has words of its own for it.
 #pragma once
 
+#include <algorithm>
+
 #include "harness/interface/faults.hpp"
 #include "harness/interface/host_device.hpp"
 #include "harness/interface/sphere.hpp"
@@ -18,6 +20,10 @@ OCTOCELL_HD std::uint32_t mask_of(Flags f) { return f.word >> 16; }
 OCTOCELL_HD bool may_collide(Flags a, Flags b) {
   return !(is_static(a) && is_static(b)) && (group_of(a) & mask_of(b)) != 0 &&
          OCTOCELL_FAULT(flags_one_way, true, (group_of(b) & mask_of(a)) != 0);
+}
+
+inline std::uint64_t count_static(std::span<const Flags> flags) {
+  return static_cast<std::uint64_t>(std::ranges::count_if(flags, is_static));
 }
 
 /// False where it is certain that no two spheres may collide, so that nothing need be searched. One

@@ -74,11 +74,15 @@ OCTOCELL_HD int level_of(const Levels& levels, float r) {
 /// Skip::skin: a search of spheres that have grown finds pairs that are near, and that stay the
 /// only ones that can overlap while nothing has moved further than the growth.
 struct SkinCells {
-  float growth = 0.0F;  // the most that each radius may grow by; 0: no skin
-  Levels levels;        // for radii that have grown by it
+  float growth = 0.0F;        // the most that a radius may grow by; 0: no skin
+  float static_share = 0.0F;  // of the spheres: these need not grow while they stand
+  Levels levels;              // for radii that have grown by it
   int key_bits = 0;
 };
-inline constexpr float kMostSkin = 0.4F;  // growth of the mean radius: 2.7 near pairs for a pair
+
+/// The most growth, in mean radii: 2.7 near pairs for a pair. Where one of two does not grow, the
+/// other may by twice as much.
+constexpr float most_skin(float static_share) { return 0.4F * (1.0F + static_share); }
 
 /// At least r + growth over the reals: the sum loses at most 2^-24 of itself, the factor adds more.
 /// Monotone in both. growth >= 2^-60.

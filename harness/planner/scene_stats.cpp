@@ -190,6 +190,8 @@ SceneStats measure(SceneView scene) {
   if (!pass.valid) throw InputError(describe_first_invalid(scene.spheres));
   stats.facts = pass.facts;
   stats.some_may_collide = some_may_collide(scene.flags);
+  stats.static_share = static_cast<float>(count_static(scene.flags)) /
+                       static_cast<float>(scene.spheres.size());
   stats.radii = classify_radii(scene, stats.facts);
   stats.sample = take_sample(scene);
   stats.facts.lattice_units_per_length =

@@ -22,6 +22,7 @@ struct RadiusClass {
 struct SceneStats {
   PlanFacts facts;
   bool some_may_collide = true;    // by their flags; false is certain
+  float static_share = 0.0F;       // of the spheres, by their flags
   std::vector<RadiusClass> radii;  // the non-empty classes, smallest radius first
   std::vector<Sphere> sample;      // a sixteenth, 64 to kSampleSize, chosen by a fixed hash
 };

@@ -15,19 +15,25 @@ constexpr int kFewFrames = 2;        // a list that served fewer was a mistake
 constexpr int kFirstPause = 4;       // in frames; twice as many after each further mistake
 constexpr int kLongestPause = 1024;
 
+float cube(float x) { return x * x * x; }
+
 }  // namespace
 
-void SkinWidth::reset(float most, const SkinCosts& costs) {
+void SkinWidth::reset(float most, const SkinCosts& costs, float static_share) {
   *this = {};
   costs_ = costs;
   most_ = most;
+  static_share_ = static_share;
   next_pause_ = kFirstPause;
 }
 
-/// `growth` of the mean radius; near pairs are as its cube, as in a gas.
+/// `growth` of the mean radius; near pairs are as the cube of the mean of two, as in a gas.
 float SkinWidth::cost_a_frame(float growth, float frames) const {
-  const float wider = 1.0F + growth;
-  const float served = costs_.fetch + costs_.near_pairs * wider * wider * wider;
+  const float moving = 1.0F - static_share_;
+  const float near = moving * moving * cube(1.0F + growth) +
+                     2.0F * moving * static_share_ * cube(1.0F + growth / 2.0F);
+  const float served =
+      moving * costs_.fetch + static_share_ * costs_.compare + costs_.near_pairs * near;
   return (costs_.list + (frames - 1.0F) * served) / frames;
 }
 
@@ -46,7 +52,7 @@ std::optional<float> SkinWidth::best_for(const FrameMotion& motion) const {
   for (int k = 1; k <= kWidths; ++k) {
     const float half_skin = most_ * static_cast<float>(k) / kWidths;
     const float frames = 1.0F + std::floor(half_skin / step);
-    const float cost = cost_a_frame(kMostSkin * static_cast<float>(k) / kWidths, frames);
+    const float cost = cost_a_frame(most_skin(static_share_) * static_cast<float>(k) / kWidths, frames);
     if (!(cost < best_cost)) continue;
     best = half_skin;
     best_cost = cost;

@@ -5,8 +5,8 @@
 
 namespace octocell {
 
-/// How a few spheres have moved since the last frame. A guess at what all did, which decides only
-/// what is worth trying, never what is true.
+/// How a few spheres that may move have moved since the last frame. A guess at what all did, which
+/// decides only what is worth trying, never what is true.
 struct FrameMotion {
   float still_share = 0.0F;  // of the sample: equal bit for bit
   float farthest = 0.0F;     // that one of it moved; infinite where a radius changed
@@ -16,16 +16,17 @@ struct FrameMotion {
 /// (docs/decisions/0016-frame-coherence.md).
 struct SkinCosts {
   float list = 1.6F;         // the search of grown spheres, and the list
-  float fetch = 0.17F;       // each frame: every sphere fetched and compared
-  float near_pairs = 0.13F;  // each frame: the near pairs of ungrown spheres
+  float fetch = 0.15F;       // each frame: every sphere fetched and compared
+  float compare = 0.07F;     // each frame: the same for static ones
+  float near_pairs = 0.12F;  // each frame: the near pairs of ungrown spheres
 };
 
 /// How wide a skin pays, if any does. A wide one lasts for many frames, each of which tests many
 /// near pairs; a narrow one is soon left. Only time depends on what it says.
 class SkinWidth {
  public:
-  /// `most`: the most that a radius may grow by.
-  void reset(float most, const SkinCosts& costs = {});
+  /// `most`: the most that a radius may grow by. Static spheres do not.
+  void reset(float most, const SkinCosts& costs = {}, float static_share = 0.0F);
 
   /// By how much to grow each radius now, for spheres that move like that. A pause is a frame
   /// shorter then.
@@ -46,6 +47,7 @@ class SkinWidth {
 
   SkinCosts costs_;
   float most_ = 0.0F;
+  float static_share_ = 0.0F;
   float half_skin_ = 0.0F;
   float step_then_ = 0.0F;
   int frames_served_ = 0;

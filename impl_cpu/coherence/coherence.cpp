@@ -27,12 +27,12 @@ void Coherence::reset(const Workspace& w) {
   course_ = Course::everything;
   forget();
   if (!is_used_) return;
-  sample_.reset(count);
+  sample_.reset(w.scene);
   kept_.allocate(count);
   movers_.allocate(w);
   changed_.allocate(movers_.most());
   near_.allocate(w);
-  skin_.reset(plan.skin.growth);
+  skin_.reset(plan.skin.growth, {}, plan.skin.static_share);
 }
 
 bool Coherence::nothing_changed(Workspace& w) {
@@ -51,14 +51,18 @@ bool Coherence::nothing_changed(Workspace& w) {
   return true;
 }
 
+bool Coherence::near_pairs_stand(Workspace& w) {
+  if (!is_used_ || !is_planned(w) || !near_.imply_facts()) return false;
+  w.forget_last_run();
+  return reuse_list(w);
+}
+
 void Coherence::choose_course(Workspace& w) {
   if (!is_used_) return;
   if (w.violation || !is_planned(w)) return forget();
-  if (repair(w)) return;
-  kept_.forget();
-  movers_.forget();
-  if (copy_pays(w)) kept_.keep(w.scene, *w.threads);
-  if (reuse_list(w) || make_list(w)) return;
+  if (repair(w) || reuse_list(w)) return;
+  copy_anew(w);
+  if (make_list(w)) return;
   movers_.start_anew();
 }
 
@@ -151,9 +155,17 @@ bool Coherence::reuse_list(Workspace& w) {
     skin_.left();
     return false;
   }
+  copy_anew(w);
   course_ = Course::near_pairs;
   skin_.served();
   return true;
+}
+
+/// Nothing is said of the movers from here on; the copy is of this frame, if it is of any use.
+void Coherence::copy_anew(const Workspace& w) {
+  kept_.forget();
+  movers_.forget();
+  if (copy_pays(w)) kept_.keep(w.scene, *w.threads);
 }
 
 bool Coherence::make_list(Workspace& w) {

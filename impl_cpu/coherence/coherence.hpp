@@ -31,6 +31,8 @@ class Coherence {
 
   /// Before stage 1. True: all spheres are those whose pairs w holds; nothing remains to be done.
   bool nothing_changed(Workspace& w);
+  /// Before stage 1, too. True: its facts hold, as no sphere has moved far, and near pairs serve.
+  bool near_pairs_stand(Workspace& w);
   /// After stage 1.
   void choose_course(Workspace& w);
   /// What stages 2 to 4 work on.
@@ -52,6 +54,7 @@ class Coherence {
   bool repair(Workspace& w);
   bool reuse_list(Workspace& w);
   bool make_list(Workspace& w);
+  void copy_anew(const Workspace& w);
   void search_with_skin(Workspace& w);
 
   bool is_used_ = false;

@@ -6,20 +6,12 @@
 #include <array>
 #include <cstring>
 
+#include "impl_cpu/coherence/same_bits.hpp"
+
 namespace octocell::cpu::coherence {
 namespace {
 
 constexpr std::uint64_t kSpheresPerBlock = 4096;
-
-/// The two halves of a sphere, compared without a branch.
-bool differ(const Sphere& a, const Sphere& b) {
-  std::array<std::uint64_t, 2> x;
-  std::array<std::uint64_t, 2> y;
-  std::memcpy(x.data(), &a, sizeof a);
-  std::memcpy(y.data(), &b, sizeof b);
-  return ((x[0] ^ y[0]) |
-          OCTOCELL_FAULT(frame_ignores_radius, (x[1] ^ y[1]) & 0xffffffffU, x[1] ^ y[1])) != 0;
-}
 
 }  // namespace
 
@@ -49,7 +41,7 @@ void KeptCopy::list_changed(SceneView scene, Threads& threads, std::uint64_t mos
     std::size_t count = 0;
     for (std::uint64_t i = begin; i < end; ++i) {
       found[count] = static_cast<std::uint32_t>(i);
-      count += differ(copy_[i], spheres[i]) ? 1 : 0;
+      count += same_bits(copy_[i], spheres[i]) ? 0 : 1;
     }
     changed.append({found.data(), count});
   };

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 
+#include "harness/interface/flags.hpp"
 #include "harness/interface/pair.hpp"
 
 namespace octocell::cpu::coherence {
@@ -21,14 +22,25 @@ float distance_moved(const Sphere& before, const Sphere& now) {
   return std::hypot(now.x - before.x, now.y - before.y, now.z - before.z);
 }
 
+std::vector<std::uint32_t> movable_of(SceneView scene) {
+  std::vector<std::uint32_t> movable;
+  for (std::uint32_t i = 0; i < scene.flags.size(); ++i) {
+    if (!is_static(scene.flags[i])) movable.push_back(i);
+  }
+  return movable;
+}
+
 }  // namespace
 
-void MotionSample::reset(std::uint64_t sphere_count) {
+void MotionSample::reset(SceneView scene) {
+  const std::vector<std::uint32_t> movable = movable_of(scene);
+  const std::uint64_t count = movable.empty() ? scene.spheres.size() : movable.size();
   has_seen_ = false;
-  chosen_.resize(std::min(sphere_count, kSampled));
+  chosen_.resize(std::min(count, kSampled));
   before_.resize(chosen_.size());
   for (std::uint32_t k = 0; k < chosen_.size(); ++k) {
-    chosen_[k] = static_cast<std::uint32_t>(mix_pair({0, k}) % sphere_count);
+    const std::uint64_t n = mix_pair({0, k}) % count;
+    chosen_[k] = movable.empty() ? static_cast<std::uint32_t>(n) : movable[n];
   }
 }
 

@@ -12,8 +12,9 @@ namespace octocell::cpu::coherence {
 
 class MotionSample {
  public:
-  /// Forgets what it saw; the next scenes have so many spheres.
-  void reset(std::uint64_t sphere_count);
+  /// Forgets what it saw. The next scenes have as many spheres; those that are static now are not
+  /// looked at, unless all are.
+  void reset(SceneView scene);
   /// Compares with the frame before. None for the first.
   std::optional<FrameMotion> observe(SceneView scene);
 

@@ -3,10 +3,14 @@
 #include "harness/interface/faults.hpp"
 
 #include <array>
-#include <atomic>
 #include <bit>
+#include <cmath>
+#include <limits>
 #include <numeric>
+#include <ranges>
 
+#include "harness/interface/flags.hpp"
+#include "impl_cpu/coherence/same_bits.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 #include "impl_cpu/pair_sink.hpp"
 
@@ -16,11 +20,21 @@ namespace {
 constexpr std::uint64_t kSpheresPerBlock = 1 << 13;
 constexpr std::uint64_t kPairsPerBlock = 1 << 12;
 constexpr std::uint64_t kPrefetchAhead = 128;
-constexpr std::uint64_t kPairsAhead = 16;
 constexpr std::uint64_t kMostPerPair = 2;  // near pairs, for each pair that there is room for
 
 bool same_radius(const Sphere& a, const Sphere& b) {
   return std::bit_cast<std::uint32_t>(a.r) == std::bit_cast<std::uint32_t>(b.r);
+}
+
+/// Whether spheres that keep their radii and go no further than `step` cannot break the plan's facts.
+bool steps_keep_facts(const Workspace& w, float step) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  PlanFacts then = w.facts;
+  for (int a = 0; a < 3; ++a) {
+    then.lowest[a] = std::nextafter(then.lowest[a] - step, -kInfinity);
+    then.highest[a] = std::nextafter(then.highest[a] + step, kInfinity);
+  }
+  return w.plan.facts.lattice_units_per_length == 0.0 && are_within(then, w.plan.facts);
 }
 
 }  // namespace
@@ -44,15 +58,18 @@ void NearPairs::allocate(const Workspace& whole) {
 
 void NearPairs::grow(const Workspace& whole, float half_skin) {
   const std::span<const Sphere> spheres = whole.scene.spheres;
+  const std::span<const Flags> flags = whole.scene.flags;
   are_known_ = false;
   half_skin_ = half_skin;
-  whole.threads->for_blocks(spheres.size(), kSpheresPerBlock,
-                            [&](std::uint64_t begin, std::uint64_t end) {
-                              for (std::uint64_t i = begin; i < end; ++i) {
-                                const Sphere& s = spheres[i];
-                                spheres_[i] = {s.x, s.y, s.z, grown_radius(s.r, half_skin)};
-                              }
-                            });
+  imply_facts_ = OCTOCELL_FAULT(frame_box_unseen, true, steps_keep_facts(whole, half_skin));
+  const auto grow_block = [&](std::uint64_t begin, std::uint64_t end) {
+    for (std::uint64_t i = begin; i < end; ++i) {
+      const Sphere& s = spheres[i];
+      const bool stands = !flags.empty() && is_static(flags[i]);
+      spheres_[i] = {s.x, s.y, s.z, stands ? s.r : grown_radius(s.r, half_skin)};
+    }
+  };
+  whole.threads->for_blocks(spheres.size(), kSpheresPerBlock, grow_block);
   grown_.scene.spheres = {spheres_.data(), spheres.size()};
   grown_.candidates = 0;
 }
@@ -77,6 +94,18 @@ void NearPairs::put_flags_in_order(std::span<const Flags> flags) {
   flags_.resize(flags.size());
   for (std::size_t k = 0; k < flags.size(); ++k) flags_[k] = flags[order()[k]];
   grown_.scene.flags = flags_;
+  list_movable();
+}
+
+void NearPairs::list_movable() {
+  some_are_static_ = std::ranges::any_of(flags_, is_static);
+  movable_.clear();
+  movable_ids_.clear();
+  for (std::uint32_t k = 0; some_are_static_ && k < flags_.size(); ++k) {
+    if (is_static(flags_[k])) continue;
+    movable_.push_back(k);
+    movable_ids_.push_back(order()[k]);
+  }
 }
 
 void NearPairs::fetch_then(const Workspace& whole) {
@@ -86,47 +115,74 @@ void NearPairs::fetch_then(const Workspace& whole) {
       last + 1, kSpheresPerBlock, [&](std::uint64_t begin, std::uint64_t end) {
         for (std::uint64_t k = begin; k < end; ++k) {
           __builtin_prefetch(&spheres[order()[std::min(k + kPrefetchAhead, last)]]);
-          then_[k] = now_[k] = spheres[order()[k]];
+          now_[k] = spheres[order()[k]];
+          if (!some_are_static_) then_[k] = now_[k];
         }
       });
+  for (std::size_t n = 0; n < movable_.size(); ++n) then_[n] = now_[movable_[n]];
 }
 
 /// Asked of the predicate itself: is the point within the ball of half the skin?
 bool NearPairs::is_within_reach(const Sphere& then, const Sphere& now) const {
-  return same_radius(then, now) &&
+  return same_radius(then, now) && std::isfinite(now.x + now.y + now.z) &&
          overlap_exact({then.x, then.y, then.z, half_skin_}, {now.x, now.y, now.z, 0.0F});
 }
 
 /// Float32 is certain of nearly all; the others are asked for one by one.
-bool NearPairs::fetch(const Workspace& whole, std::uint64_t begin, std::uint64_t end) {
+/// `places[n]`: the place in the order of the n-th that may move.
+template <typename Places>
+bool NearPairs::fetch(const Workspace& whole, const Places& places, std::uint64_t begin,
+                      std::uint64_t end) {
   const Sphere* const spheres = whole.scene.spheres.data();
-  const std::uint64_t last = whole.scene.spheres.size() - 1;
+  const Object* const ids = some_are_static_ ? movable_ids_.data() : order();
+  const std::uint64_t last = places.size() - 1;
   const float ball = band_radius<Band::safe>(
       OCTOCELL_FAULT(frame_skin_twice_too_wide, 2.0F * half_skin_, half_skin_));
   const float point = band_radius<Band::safe>(0.0F);
   bool sure = true;
-  for (std::uint64_t k = begin; k < end; ++k) {
-    __builtin_prefetch(&spheres[order()[std::min(k + kPrefetchAhead, last)]]);
-    const Sphere s = spheres[order()[k]];
-    const Sphere& t = then_[k];
-    now_[k] = s;
+  for (std::uint64_t n = begin; n < end; ++n) {
+    const std::uint64_t ahead = std::min(n + kPrefetchAhead, last);
+    __builtin_prefetch(&spheres[ids[ahead]]);
+    __builtin_prefetch(&now_[places[ahead]], 1);
+    const Sphere s = spheres[ids[n]];
+    const Sphere& t = then_[n];
+    now_[places[n]] = s;
     sure &= same_radius(s, t);
     sure &= band_is_sure<Band::safe>({t.x, t.y, t.z, ball}, {s.x, s.y, s.z, point});
   }
-  for (std::uint64_t k = begin; !sure && k < end; ++k) {
-    if (!is_within_reach(then_[k], now_[k])) return false;
+  for (std::uint64_t n = begin; !sure && n < end; ++n) {
+    if (!is_within_reach(then_[n], now_[places[n]])) return false;
   }
   return true;
 }
 
 bool NearPairs::still_hold(const Workspace& whole) {
-  std::atomic<bool> hold = true;
-  whole.threads->for_blocks(whole.scene.spheres.size(), kSpheresPerBlock,
-                            [&](std::uint64_t begin, std::uint64_t end) {
-                              if (!hold.load(std::memory_order_relaxed)) return;
-                              if (!fetch(whole, begin, end)) hold = false;
-                            });
-  return hold;
+  const std::uint64_t count = whole.scene.spheres.size();
+  if (!some_are_static_) return movable_are_near(whole, std::views::iota(std::uint64_t{0}, count));
+  return statics_stand(whole) && movable_are_near(whole, std::span(movable_));
+}
+
+/// As they come: they need not be put in order, as then_ and now_ have them.
+bool NearPairs::statics_stand(const Workspace& whole) const {
+  const Sphere* const spheres = whole.scene.spheres.data();
+  const Flags* const flags = whole.scene.flags.data();
+  const auto stand = [&](std::uint64_t begin, std::uint64_t end) {
+    bool all = true;
+    for (std::uint64_t i = begin; i < end; ++i) {
+      all &= !is_static(flags[i]) | same_bits(spheres[i], spheres_[i]);
+    }
+    return all;
+  };
+  return OCTOCELL_FAULT(frame_statics_unseen, true,
+                        whole.threads->for_all_blocks(whole.scene.spheres.size(),
+                                                      kSpheresPerBlock, stand));
+}
+
+template <typename Places>
+bool NearPairs::movable_are_near(const Workspace& whole, const Places& places) {
+  return whole.threads->for_all_blocks(
+      places.size(), kSpheresPerBlock,
+      [&](std::uint64_t begin, std::uint64_t end) { return fetch(whole, places, begin, end); });
 }
 
 /// Whether a near pair overlaps is anybody's guess, so candidates are picked without a branch.
@@ -135,7 +191,7 @@ void NearPairs::decide_block(Workspace& whole, std::span<const Pair> near) const
   std::array<std::uint32_t, kPairsPerBlock> picked;
   std::size_t count = 0;
   for (std::uint32_t k = 0; k < near.size(); ++k) {
-    const Pair ahead = near[std::min<std::size_t>(k + kPairsAhead, near.size() - 1)];
+    const Pair ahead = near[std::min<std::size_t>(k + kPrefetchAhead, near.size() - 1)];
     __builtin_prefetch(&now_[ahead.i]);
     __builtin_prefetch(&now_[ahead.j]);
     const Sphere a = stored<test>(now_[near[k].i]);

@@ -9,20 +9,23 @@ namespace octocell::cpu::coherence {
 /// overlap if every radius were larger by h, half of the skin. As long as no sphere is further than
 /// h from where it was then, and no radius has changed, pairs that overlap are among them:
 /// |p - q| <= r + r' now implies |p - q| <= (r + h) + (r' + h) then.
+/// Static spheres are expected to stand: theirs do not grow, and not a bit of them may change.
 class NearPairs {
  public:
   void allocate(const Workspace& whole);
   [[nodiscard]] bool are_known() const { return are_known_; }
   void forget() { are_known_ = false; }
+  /// Whether no sphere can break a fact of the plan as long as the list holds.
+  [[nodiscard]] bool imply_facts() const { return imply_facts_; }
 
-  /// What stages 2 to 4 work on: all spheres, grown by half the skin.
+  /// What stages 2 to 4 work on: all spheres, grown by half the skin if they are not static.
   void grow(const Workspace& whole, float half_skin);
   Workspace& workspace() { return grown_; }
 
   /// Stage 5, the search. False: the list is too long to be of use.
   bool find(Workspace& whole);
 
-  /// Stage 1, of later frames: fetches the spheres, and proves that the list still holds.
+  /// Stage 1, of later frames: fetches what has moved, and proves that the list still holds.
   bool still_hold(const Workspace& whole);
 
   /// Stage 5: which near pairs overlap now?
@@ -31,8 +34,13 @@ class NearPairs {
  private:
   [[nodiscard]] bool is_within_reach(const Sphere& then, const Sphere& now) const;
   void put_flags_in_order(std::span<const Flags> flags);
+  void list_movable();
   void fetch_then(const Workspace& whole);
-  bool fetch(const Workspace& whole, std::uint64_t begin, std::uint64_t end);
+  [[nodiscard]] bool statics_stand(const Workspace& whole) const;
+  template <typename Places>
+  bool movable_are_near(const Workspace& whole, const Places& places);
+  template <typename Places>
+  bool fetch(const Workspace& whole, const Places& places, std::uint64_t begin, std::uint64_t end);
   template <PairTest test>
   void decide_block(Workspace& whole, std::span<const Pair> near) const;
   template <PairTest test>
@@ -41,12 +49,16 @@ class NearPairs {
   [[nodiscard]] std::uint64_t size() const { return grown_.pairs.size() + grown_.doubts.size(); }
 
   bool are_known_ = false;
+  bool imply_facts_ = false;
   float half_skin_ = 0.0F;
-  Buffer<Sphere> spheres_;    // grown
+  Buffer<Sphere> spheres_;    // grown, but for the static ones
   Workspace grown_;           // its pairs are numbers in the order of the columns: neighbours in
                               // space are neighbours in memory
   std::vector<Flags> flags_;  // in that order, as they were when the list was made
-  Buffer<Sphere> then_;       // in that order, as they were when the list was made
+  bool some_are_static_ = false;
+  std::vector<std::uint32_t> movable_;  // if so, the places in that order of the others
+  std::vector<Object> movable_ids_;     // and their numbers in the scene
+  Buffer<Sphere> then_;       // of those that may move, when the list was made
   Buffer<Sphere> now_;
 };
 

@@ -9,7 +9,7 @@ namespace octocell::cuda_custom::coherence {
 namespace {
 
 /// On an H100, a gas of a million spheres.
-constexpr SkinCosts kSkinCosts = {.list = 1.8F, .fetch = 0.3F, .near_pairs = 0.06F};
+constexpr SkinCosts kSkinCosts = {.list = 1.8F, .fetch = 0.3F, .compare = 0.3F, .near_pairs = 0.06F};
 
 Kept read(const Workspace& w) {
   Kept kept;
@@ -21,7 +21,7 @@ Kept read(const Workspace& w) {
 }  // namespace
 
 void Coherence::reset(Workspace& w) {
-  skin_.reset(w.plan.skin.growth, kSkinCosts);
+  skin_.reset(w.plan.skin.growth, kSkinCosts, w.plan.skin.static_share);
   forget(w);
 }
 

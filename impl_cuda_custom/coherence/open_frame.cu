@@ -20,6 +20,7 @@ static_assert(kSampled == kBlockThreads, "a thread for each sphere of the sample
 
 struct Job {
   const Sphere* spheres;
+  const Flags* flags;  // or none
   std::uint32_t count;
   Sphere* copy;
   const Sphere* searched;
@@ -97,7 +98,8 @@ __device__ std::uint32_t look_at(const Job& job, const Trial& trial, bool compar
   if (compares && same_bits(now, before)) return 0;
   if (!trial.skin) return kDiffers;
   const Sphere then = compares ? load_sphere(job.searched, i) : before;
-  return is_within_skin(job, then, now, growth) ? kDiffers : kDiffers | kLeft;
+  const bool within = is_within_skin(job, then, now, growth_of(job.flags, i, growth));
+  return within ? kDiffers : kDiffers | kLeft;
 }
 
 /// Returns what was found; the same for all lanes of a warp. A warp that has seen enough to rule
@@ -175,6 +177,7 @@ State search_of(const Workspace& w) {
 void open_frame(Workspace& w) {
   const auto count = static_cast<std::uint32_t>(w.sphere_count());
   const Job job = {.spheres = w.spheres.data(),
+                   .flags = w.flags_or_none(),
                    .count = count,
                    .copy = w.copy.data(),
                    .searched = w.searched.data(),

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "harness/interface/flags.hpp"
 #include "harness/interface/predicate.hpp"
 
 namespace octocell::cuda_custom::coherence {
@@ -114,8 +115,22 @@ OCTOCELL_HD Step step_of(const Sphere& then, const Sphere& now, float growth) {
   return {{then.x, then.y, then.z, growth}, {now.x, now.y, now.z, 0.0F}};
 }
 
+/// By how much a radius grows: static spheres are expected to stand.
+OCTOCELL_HD float growth_of(const Flags* flags, std::uint32_t sphere, float growth) {
+  return flags != nullptr && is_static(flags[sphere]) ? 0.0F : growth;
+}
+
+/// The radius that a search goes by which lists near pairs, and without growth any other.
+OCTOCELL_HD float radius_in_search(const Sphere& s, const Flags* flags, std::uint32_t sphere,
+                                   float growth) {
+  if (growth == 0.0F) return s.r;
+  const float more = growth_of(flags, sphere, growth);
+  return more == 0.0F ? s.r : grown_radius(s.r, more);
+}
+
 /// In float32. Doubt: only the exact predicate knows.
 OCTOCELL_HD Verdict within_skin(const Sphere& then, const Sphere& now, float growth) {
+  if (growth == 0.0F) return same_bits(then, now) ? Verdict::overlap : Verdict::apart;
   if (bits_of(then.r) != bits_of(now.r)) return Verdict::apart;
   const Step step = step_of(then, now, growth);
   return band_verdict<Band::safe>(step.ball, step.point);

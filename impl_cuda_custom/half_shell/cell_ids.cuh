@@ -17,14 +17,15 @@ struct IdsJob {
   Levels levels;
   bool may_leave;    // where another course than a search may have been taken
   float growth;      // of the radii, or 0
+  const Flags* flags;  // or none
   Sphere* searched;  // where the spheres go that are searched for; none: nobody asks
   std::uint32_t* cell_ids;
   Object* objects;
   State* state;
   digit_histograms::Job digits;
 
-  [[nodiscard]] __device__ std::uint32_t id_of(const Sphere& s) const {
-    const float r = growth > 0.0F ? grown_radius(s.r, growth) : s.r;
+  [[nodiscard]] __device__ std::uint32_t id_of(std::uint32_t i, const Sphere& s) const {
+    const float r = coherence::radius_in_search(s, flags, i, growth);
     const Level& level = levels.level[level_of(levels, r)];
     return level.first_id + cell_id(level.grid, cell_of(level.grid, s.x, s.y, s.z));
   }
@@ -53,7 +54,7 @@ __device__ std::uint32_t put_ids(const IdsJob& job, std::uint32_t* counts) {
       if (i >= job.sphere_count) break;
       violations |= violation_of(spheres[k], job.facts);
       if (job.searched != nullptr) store_sphere(job.searched, i, spheres[k]);
-      const std::uint32_t id = job.id_of(spheres[k]);
+      const std::uint32_t id = job.id_of(i, spheres[k]);
       job.cell_ids[i] = id;
       job.objects[i] = i;
       digit_histograms::count_key<kPasses>(job.digits, id, counts);
@@ -82,6 +83,7 @@ inline void cell_ids(Workspace& w) {
                       .levels = w.levels(),
                       .may_leave = w.coherent(),
                       .growth = w.growth,
+                      .flags = w.flags_or_none(),
                       .searched = w.allowed().near_pairs ? w.searched.data() : nullptr,
                       .cell_ids = w.side(0).keys,
                       .objects = w.side(0).values,

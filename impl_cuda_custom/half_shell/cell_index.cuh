@@ -82,13 +82,17 @@ struct OrderJob {
   PairTest test;
   Packing packing;
   float growth;
+  const Flags* flags;  // or none
   State* state;
 
   __device__ void put(std::uint32_t place, Sphere s) const {
     if (is_packed(test)) packed[place] = pack(test, s, packing);
-    if (growth > 0.0F) s.r = grown_radius(s.r, growth);
     s.r = stored_radius(test, s.r);
     reinterpret_cast<float4*>(ordered)[place] = {s.x, s.y, s.z, s.r};
+  }
+  [[nodiscard]] __device__ Sphere in_search(std::uint32_t place, const Sphere& s) const {
+    const std::uint32_t sphere = neighbours.objects[place];
+    return {s.x, s.y, s.z, coherence::radius_in_search(s, flags, sphere, growth)};
   }
 };
 
@@ -114,7 +118,7 @@ __global__ void __launch_bounds__(kBlockThreads)
     const std::uint32_t id = present ? ids[place] : 0;
     if (present && (place == 0 || ids[place - 1] != id)) ++cells;
     candidates += job.neighbours.count_neighbours(present, place, id, spheres[k]);
-    if (present) job.put(place, spheres[k]);
+    if (present) job.put(place, job.in_search(place, spheres[k]));
     if (place >= entries && place < entries + kReadBehind) job.put(place, {});
   }
   add_over_block(&job.state->cells, cells);
@@ -135,6 +139,7 @@ inline void cell_index(Workspace& w) {
                           .test = w.test(),
                           .packing = w.plan.packing,
                           .growth = w.growth,
+                          .flags = w.flags_or_none(),
                           .state = w.state.data()};
     const unsigned blocks = blocks_for(w.sphere_count() + kReadBehind, kOrderedPerBlock);
     order_kernel<<<blocks, kBlockThreads, 0, w.stream>>>(job);
