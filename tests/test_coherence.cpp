@@ -29,8 +29,8 @@ TEST_P(Sequences, HaveTheExactPairsWhateverIsAllowed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(ThreadsAndStatics, Sequences,
-                         testing::Values(std::pair(1, -1.0), std::pair(3, -1.0),
-                                         std::pair(1, 0.3), std::pair(3, 0.9)));
+                         testing::Values(std::pair(1, -1.0), std::pair(3, -1.0), std::pair(1, 0.3),
+                                         std::pair(3, 0.9)));
 
 /// Static ones stand, as they should.
 TEST(EveryFrame, AmongStaticSpheresIsExact) {
@@ -348,8 +348,8 @@ TEST(Skin, LastsLongerWhereMostAreStatic) {
 TEST(Skin, IsLeftByTheLeastStepOfAStaticSphere) {
   const Scene scene = generate("gas:n=5000,static=0.9");
   Frames frames = move(scene.spheres, Motion::slow, 12, 1, scene.flags);
-  const auto moved = static_cast<std::size_t>(
-      std::ranges::find_if(scene.flags, is_static) - scene.flags.begin());
+  const auto moved =
+      static_cast<std::size_t>(std::ranges::find_if(scene.flags, is_static) - scene.flags.begin());
   for (std::size_t f = 8; f < frames.size(); ++f) {
     frames[f][moved].z = std::nextafter(frames[f][moved].z, -1e9F);
   }

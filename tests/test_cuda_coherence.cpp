@@ -25,11 +25,9 @@ class CoherenceOnDevice : public FramesOnDevice, public testing::WithParamInterf
 /// The parameter: the share of static spheres; none, below zero, no flags.
 TEST_P(CoherenceOnDevice, EveryFrameHasTheExactPairsWhateverIsAllowed) {
   Served served = {};
-  play_with_every_choice([](Skips allowed) { return on_device(moving(allowed)); },
-                         [](const Spheres& spheres) {
-                           return flags_of(spheres.size(), GetParam(), 11);
-                         },
-                         served);
+  play_with_every_choice(
+      [](Skips allowed) { return on_device(moving(allowed)); },
+      [](const Spheres& spheres) { return flags_of(spheres.size(), GetParam(), 11); }, served);
   expect_all_to_have_served({Skip::unchanged, Skip::skin}, served);
 }
 

@@ -252,19 +252,52 @@ TEST(HalfShellBorders, LeaveOutNoPartnerAndFewOthers) {
   }
 }
 
-TEST(HalfShellBorders, OfWrappedAxesAndInfiniteReachesLeaveOutNothing) {
+TEST(HalfShellBorders, AreTheSameWhereTheAxisWraps) {
+  PlanFacts facts;
+  for (int a = 0; a < 3; ++a) facts.highest[a] = 1e3F;
+  const Grid open = make_level(facts, 0.5F, 4.0, 1, 28).grid;
+  const Grid wrapped = make_level(facts, 0.5F, 4.0, 1, 12).grid;
+  ASSERT_FALSE(open.wraps(1));
+  ASSERT_TRUE(wrapped.wraps(1));
+  for (std::uint32_t above = 0; above < open.cell_count[1]; ++above) {
+    const half_shell::Border border = half_shell::border_below(wrapped, 1, above, 1.0F);
+    EXPECT_EQ(border.lower, half_shell::border_below(open, 1, above, 1.0F).lower);
+    EXPECT_EQ(border.upper, half_shell::border_below(open, 1, above, 1.0F).upper);
+    EXPECT_EQ(border.lower == -HUGE_VALF, above == 0);
+  }
+}
+
+TEST(HalfShellBorders, AreThoseOfACellThatAllSpheresShare) {
+  PlanFacts facts;
+  for (int a = 0; a < 3; ++a) facts.highest[a] = 1e3F;
+  const Grid grid = make_level(facts, 0.5F, 4.0, 1, 12).grid;
+  ASSERT_TRUE(grid.wraps(1));
+  for (const std::size_t count : {1, 15, 16, 17, 100}) {
+    std::vector<float> values(count, 401.0F);
+    const std::uint32_t cell = cell_coordinate(grid, 1, values[0]);
+    const float far = 401.0F + 4.0F * static_cast<float>(grid.period(1));  // with the same id
+    ASSERT_EQ((cell_coordinate(grid, 1, far) - cell) & grid.wrap_mask[1], 0U);
+    EXPECT_EQ(half_shell::common_cell(grid, 1, values), cell);
+    for (std::size_t k = 0; k < count; ++k) {
+      for (const float other : {far, 0.0F}) {
+        values[k] = other;
+        const auto found = half_shell::common_cell(grid, 1, values);
+        EXPECT_EQ(found.has_value(), count == 1) << count << " " << k;
+        values[k] = 401.0F;
+      }
+    }
+  }
+}
+
+TEST(HalfShellBorders, OfInfiniteReachesLeaveOutNothing) {
   const auto all = [](const half_shell::Border& b) {
     return b.lower == -HUGE_VALF && b.upper == HUGE_VALF;
   };
   PlanFacts facts;
   for (int a = 0; a < 3; ++a) facts.highest[a] = 1e3F;
   const Grid open = make_level(facts, 0.5F, 4.0, 1, 28).grid;
-  ASSERT_FALSE(open.wraps(1));
   EXPECT_FALSE(all(half_shell::border_below(open, 1, 9, 1.0F)));
   EXPECT_TRUE(all(half_shell::border_below(open, 1, 9, HUGE_VALF)));
-  const Grid wrapped = make_level(facts, 0.5F, 4.0, 1, 12).grid;
-  ASSERT_TRUE(wrapped.wraps(1));
-  EXPECT_TRUE(all(half_shell::border_below(wrapped, 1, 9, 1.0F)));
 }
 
 TEST(HalfShellWork, GrowsWithSpheresAndPairs) {

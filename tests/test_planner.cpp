@@ -7,6 +7,7 @@
 #include "harness/interface/error.hpp"
 #include "harness/planner/explain.hpp"
 #include "harness/planner/planner.hpp"
+#include "harness/planner/sampled_cells.hpp"
 #include "harness/scenes/scenes.hpp"
 
 namespace octocell {
@@ -200,6 +201,32 @@ TEST(Planner, ExplainsEveryDecision) {
     if (d.taken && (d.skip == Skip::phantoms || d.skip == Skip::wide_cells)) {
       ASSERT_TRUE(d.expected_saving.has_value());
       EXPECT_GT(*d.expected_saving, 0.0);
+    }
+  }
+}
+
+/// Blocks of any size, as if each pair were asked; grids of more cells than Morton codes tell
+/// apart.
+TEST(SampledCells, CountThePairsInEachBlock) {
+  for (const float scale : {1.0F, 1e6F}) {
+    std::vector<Sphere> spheres = generate("cluster:n=300").spheres;
+    for (std::size_t i = 0; i < spheres.size(); i += 2) spheres[i].x *= scale;
+    const Grid grid = make_level(measure({spheres}).facts, 0.5F, 1.0, 4, 28).grid;
+    const SampledCells sampled(grid, spheres, 4);
+    EXPECT_EQ(sampled.finest() > 0, scale > 1.0F);
+    for (int shift = sampled.finest(); shift <= sampled.finest() + 21; shift += 3) {
+      std::uint64_t pairs = 0;
+      for (std::size_t i = 0; i < spheres.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+          const Cell a = cell_of(grid, spheres[i].x, spheres[i].y, spheres[i].z);
+          const Cell b = cell_of(grid, spheres[j].x, spheres[j].y, spheres[j].z);
+          pairs += (a.x / 4) >> shift == (b.x / 4) >> shift && a.y >> shift == b.y >> shift &&
+                           a.z >> shift == b.z >> shift
+                       ? 1
+                       : 0;
+        }
+      }
+      EXPECT_EQ(sampled.pairs_in_blocks(shift), pairs) << scale << " " << shift;
     }
   }
 }

@@ -54,6 +54,7 @@
   fault(tile_last_missing, "the last tile of a crowded cell is not tested") \
   fault(shell_row_missing, "one of the four neighbouring rows is not visited") \
   fault(border_reach_short, "only spheres within a radius of a row's border have partners beyond") \
+  fault(border_of_first_sphere, "a wrapped row is taken to hold the cell of its first sphere") \
   fault(shell_seam_not_crossed, "the first columns of a wrapped row miss the last") \
   fault(shell_last_lane_missing, "the last lane of a vector is masked out") \
   fault(flags_unasked_in_sink, "pairs are kept whatever their flags") \

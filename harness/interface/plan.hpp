@@ -48,8 +48,8 @@ struct PlanFacts {
 ///
 /// A cell is a diameter wide or more, so that spheres of the level that overlap lie in the same or
 /// in adjacent cells (docs/exactness.md, claim A). Along x cells are cut into columns, finer:
-/// `reach` columns are at least a diameter. The id of a column is first_id + column + columns * (row),
-/// row = y + rows_y * z, so that a row's columns, sorted, lie side by side.
+/// `reach` columns are at least a diameter. The id of a column is first_id + column + columns * row
+/// with row = y + rows_y * z, so that a row's columns, sorted, lie side by side.
 struct Level {
   float r_max = 0.0F;          // radii above the level below, up to this
   Grid grid;                   // ids from 0

@@ -11,6 +11,7 @@
 
 #include "harness/interface/faults.hpp"
 #include "harness/planner/planner.hpp"
+#include "harness/planner/sampled_cells.hpp"
 
 namespace octocell {
 namespace {
@@ -48,25 +49,6 @@ std::uint32_t columns_per_cell(const Grid& grid) {
   return std::min(columns, grid.cell_count[0]);
 }
 
-/// Pairs of the sample that share a block of 2^shift cells a side.
-std::uint64_t pairs_in_blocks(const Level& level, const std::vector<Sphere>& sample, int shift) {
-  const std::uint32_t columns = columns_per_cell(level.grid);
-  std::vector<std::uint64_t> blocks;
-  for (const Sphere& s : sample) {
-    const Cell cell = cell_of(level.grid, s.x, s.y, s.z);
-    blocks.push_back(
-        cell_id(level.grid, {(cell.x / columns) >> shift, cell.y >> shift, cell.z >> shift}));
-  }
-  std::ranges::sort(blocks);
-  std::uint64_t pairs = 0;
-  std::uint64_t alike = 0;
-  for (std::size_t k = 1; k < blocks.size(); ++k) {
-    alike = blocks[k] == blocks[k - 1] ? alike + 1 : 0;
-    pairs += alike;
-  }
-  return pairs;
-}
-
 /// Spheres of the level in a cell around one of them: as if spread evenly, or as the sample says.
 /// That is small, so it is asked for blocks of cells, the smallest in which enough of it meet.
 double neighbours_in_cell(const Level& level, const Members& members) {
@@ -79,8 +61,9 @@ double neighbours_in_cell(const Level& level, const Members& members) {
   const std::uint32_t cells[3] = {grid.cell_count[0] / columns + 1, grid.cell_count[1],
                                   grid.cell_count[2]};
   const std::uint32_t most = std::max({cells[0], cells[1], cells[2]});
-  for (int shift = 0; size > 1 && most >> shift != 0; ++shift) {
-    const std::uint64_t pairs = pairs_in_blocks(level, members.sample, shift);
+  const SampledCells sampled(level.grid, members.sample, columns);
+  for (int shift = sampled.finest(); size > 1 && most >> shift != 0; ++shift) {
+    const std::uint64_t pairs = sampled.pairs_in_blocks(shift);
     if (pairs < kEnough) continue;
     double block = 1.0;  // cells
     for (const std::uint32_t n : cells) block *= std::min<double>(n, std::ldexp(1.0, shift));
@@ -89,10 +72,34 @@ double neighbours_in_cell(const Level& level, const Members& members) {
   return evenly;
 }
 
+/// Rows that hold spheres: as if spread evenly, or, where most ids stand for empty space, as the
+/// sample says. So many rows would have as many pairs of it in the same one.
+double filled_rows(const Level& level, const Members& members) {
+  constexpr std::uint64_t kEnough = 20;
+  constexpr std::uint32_t kWholeRows = ~0U;  // columns
+  const Grid& grid = level.grid;
+  const auto filled = [&](double rows) { return rows * (1.0 - std::exp(-members.count / rows)); };
+  const double evenly = filled(static_cast<double>(grid.period(1)) * grid.period(2));
+  if (!grid.wraps()) return evenly;
+  const SampledCells sampled(level.grid, members.sample, kWholeRows);
+  const auto pairs = static_cast<double>(sampled.pairs_in_blocks(sampled.finest()));
+  const auto size = static_cast<double>(members.sample.size());
+  return pairs < kEnough ? evenly : std::min(evenly, filled(size * size / 2.0 / pairs));
+}
+
+/// How close its spheres are to each other.
+struct Crowding {
+  double in_cell;      // spheres in a cell around one of them
+  double filled_rows;  // of rows of cells
+};
+Crowding crowding_of(const Level& level, const Members& members) {
+  return {neighbours_in_cell(level, members), filled_rows(level, members)};
+}
+
 /// Of a row's spheres, those that are tested against the row one step along the axis.
 double share_near_border(const Level& level, int axis, const ShellCosts& costs) {
   if (level.grid.cell_count[axis] == 1) return 0.0;
-  if (!costs.near_borders || level.grid.wraps(axis)) return 1.0;
+  if (!costs.near_borders) return 1.0;
   return std::min(1.0, 2.0 * static_cast<double>(level.r_max) / level.grid.cell_side);
 }
 
@@ -101,7 +108,7 @@ double window_in_cells(const Level& level) {
   return (2.0 * level.reach + 1.0) / columns_per_cell(level.grid);
 }
 
-double cost_within(const Level& level, const Members& members, double in_cell,
+double cost_within(const Level& level, const Members& members, const Crowding& crowding,
                    const ShellCosts& costs) {
   const Grid& grid = level.grid;
   const double rows_of_cells = static_cast<double>(grid.period(1)) * grid.period(2);
@@ -110,17 +117,18 @@ double cost_within(const Level& level, const Members& members, double in_cell,
   const double z = share_near_border(level, 2, costs);
   const double near_others = y + z + 2.0 * y * z;  // the half shell: two rows, and two aslant
   const double candidates =
-      in_cell * window_in_cells(level) * (0.5 + y * y + z * z + 2.0 * y * y * z * z);
+      crowding.in_cell * window_in_cells(level) * (0.5 + y * y + z * z + 2.0 * y * y * z * z);
   return members.count * (costs.per_sphere + near_others * filled * costs.per_window +
                           candidates * costs.per_candidate) +
-         rows_of_cells * filled * costs.per_row +
+         crowding.filled_rows * costs.per_row +
          (grid.wraps() ? members.count * costs.per_wrapped : 0.0) +
          std::min<double>(level.ids, 8.0 * members.count) * costs.per_id;
 }
 
-double cost_of(const Level& level, const Members& members, double in_cell, const Costs& costs) {
+double cost_of(const Level& level, const Members& members, const Crowding& crowding,
+               const Costs& costs) {
   const int key_bits = static_cast<int>(std::bit_width(level.ids - 1));
-  return cost_within(level, members, in_cell, costs.shell) +
+  return cost_within(level, members, crowding, costs.shell) +
          members.count * sort_passes(key_bits, costs.digit_bits) * costs.shell.per_pass;
 }
 
@@ -181,10 +189,10 @@ Choice cut_into_columns(const PlanFacts& facts, double side, int most_bits, cons
                         const Costs& costs) {
   Choice best;
   const Level whole_cells = make_level(facts, members.r_max, side, 1, most_bits);
-  const double in_cell = neighbours_in_cell(whole_cells, members);
+  const Crowding crowding = crowding_of(whole_cells, members);
   for (std::uint32_t columns = 1; columns <= costs.shell.most_columns; columns *= 2) {
     const Level level = make_level(facts, members.r_max, side, columns, most_bits);
-    const double cost = cost_of(level, members, in_cell, costs);
+    const double cost = cost_of(level, members, crowding, costs);
     if (cost < best.cost) best = {level, cost};
   }
   return best;
@@ -326,7 +334,7 @@ double estimate_cost(const SceneStats& stats, const Levels& levels, int key_bits
   }
   for (int fine = 0; fine < levels.count; ++fine) {
     const Level& level = levels.level[fine];
-    sum += cost_within(level, members[fine], neighbours_in_cell(level, members[fine]), costs.shell);
+    sum += cost_within(level, members[fine], crowding_of(level, members[fine]), costs.shell);
     for (int coarse = fine + 1; coarse < levels.count; ++coarse) {
       sum += cost_across(stats, levels.level[coarse], members[coarse], level, members[fine],
                          costs.shell);

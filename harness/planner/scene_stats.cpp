@@ -66,16 +66,24 @@ std::vector<RadiusClass> classify_radii(SceneView scene, const PlanFacts& facts)
              .radius_sum = static_cast<double>(facts.r_max) * static_cast<double>(count),
              .largest = facts.r_max}};
   }
-  std::array<RadiusClass, 256> classes = {};
-  for (const Sphere& s : scene.spheres) {
-    RadiusClass& c = classes[std::bit_cast<std::uint32_t>(s.r) >> 23 & 0xffU];
+  // Several tables in turn: most spheres are of one class, and none need wait for the one before.
+  std::array<std::array<RadiusClass, 256>, kAbreast> tables = {};
+  for (std::size_t i = 0; i < count; ++i) {
+    const float r = scene.spheres[i].r;
+    RadiusClass& c = tables[i % kAbreast][std::bit_cast<std::uint32_t>(r) >> 23 & 0xffU];
     ++c.count;
-    c.radius_sum += s.r;
-    c.largest = OCTOCELL_FAULT(level_radius_of_last, s.r, std::max(c.largest, s.r));
+    c.radius_sum += r;
+    c.largest = OCTOCELL_FAULT(level_radius_of_last, r, std::max(c.largest, r));
   }
   std::vector<RadiusClass> found;
-  for (const RadiusClass& c : classes) {
-    if (c.count != 0) found.push_back(c);
+  for (std::size_t k = 0; k < tables[0].size(); ++k) {
+    RadiusClass all;
+    for (const auto& table : tables) {
+      all.count += table[k].count;
+      all.radius_sum += table[k].radius_sum;
+      all.largest = std::max(all.largest, table[k].largest);
+    }
+    if (all.count != 0) found.push_back(all);
   }
   return found;
 }
@@ -190,8 +198,8 @@ SceneStats measure(SceneView scene) {
   if (!pass.valid) throw InputError(describe_first_invalid(scene.spheres));
   stats.facts = pass.facts;
   stats.some_may_collide = some_may_collide(scene.flags);
-  stats.static_share = static_cast<float>(count_static(scene.flags)) /
-                       static_cast<float>(scene.spheres.size());
+  stats.static_share =
+      static_cast<float>(count_static(scene.flags)) / static_cast<float>(scene.spheres.size());
   stats.radii = classify_radii(scene, stats.facts);
   stats.sample = take_sample(scene);
   stats.facts.lattice_units_per_length =

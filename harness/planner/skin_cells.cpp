@@ -26,8 +26,8 @@ SceneStats grown(SceneStats stats, float growth) {
 SkinCells skin_cells(const SceneStats& stats, Skips allowed, const Costs& costs) {
   SkinCells cells;
   if (!allowed.has(Skip::skin) || stats.facts.sphere_count == 0) return cells;
-  const auto growth = static_cast<float>(
-      mean_radius(stats) * static_cast<double>(most_skin(stats.static_share)));
+  const auto growth =
+      static_cast<float>(mean_radius(stats) * static_cast<double>(most_skin(stats.static_share)));
   const bool in_range = growth >= kFastRadiusMin && stats.facts.r_max <= kFastRadiusMax;
   if (!in_range) return cells;
   cells.growth = growth;

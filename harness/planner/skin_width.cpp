@@ -50,9 +50,10 @@ std::optional<float> SkinWidth::best_for(const FrameMotion& motion) const {
   std::optional<float> best;
   float best_cost = kWorthwhile;
   for (int k = 1; k <= kWidths; ++k) {
-    const float half_skin = most_ * static_cast<float>(k) / kWidths;
+    const float part = static_cast<float>(k) / kWidths;
+    const float half_skin = most_ * part;
     const float frames = 1.0F + std::floor(half_skin / step);
-    const float cost = cost_a_frame(most_skin(static_share_) * static_cast<float>(k) / kWidths, frames);
+    const float cost = cost_a_frame(most_skin(static_share_) * part, frames);
     if (!(cost < best_cost)) continue;
     best = half_skin;
     best_cost = cost;

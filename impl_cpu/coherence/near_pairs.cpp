@@ -26,7 +26,8 @@ bool same_radius(const Sphere& a, const Sphere& b) {
   return std::bit_cast<std::uint32_t>(a.r) == std::bit_cast<std::uint32_t>(b.r);
 }
 
-/// Whether spheres that keep their radii and go no further than `step` cannot break the plan's facts.
+/// Whether spheres that keep their radii and go no further than `step` cannot break the plan's
+/// facts.
 bool steps_keep_facts(const Workspace& w, float step) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   PlanFacts then = w.facts;
@@ -173,9 +174,9 @@ bool NearPairs::statics_stand(const Workspace& whole) const {
     }
     return all;
   };
-  return OCTOCELL_FAULT(frame_statics_unseen, true,
-                        whole.threads->for_all_blocks(whole.scene.spheres.size(),
-                                                      kSpheresPerBlock, stand));
+  return OCTOCELL_FAULT(
+      frame_statics_unseen, true,
+      whole.threads->for_all_blocks(whole.scene.spheres.size(), kSpheresPerBlock, stand));
 }
 
 template <typename Places>

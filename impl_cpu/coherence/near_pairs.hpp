@@ -58,7 +58,7 @@ class NearPairs {
   bool some_are_static_ = false;
   std::vector<std::uint32_t> movable_;  // if so, the places in that order of the others
   std::vector<Object> movable_ids_;     // and their numbers in the scene
-  Buffer<Sphere> then_;       // of those that may move, when the list was made
+  Buffer<Sphere> then_;                 // of those that may move, when the list was made
   Buffer<Sphere> now_;
 };
 

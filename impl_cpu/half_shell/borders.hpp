@@ -5,12 +5,16 @@
 // monotone in the coordinate: where fl(place + diameter) lies in a cell or below it, so does every
 // partner of a sphere at `place` or below it (docs/exactness.md, "Half shell"). Where the border
 // lies is a guess; that it is a good one is asked of the cell formula, and where it is not, no
-// sphere is left out.
+// sphere is left out. Nor is one where an axis wraps and the row has spheres of several far cells.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "harness/interface/grid.hpp"
+#include "harness/interface/simd.hpp"
 
 namespace octocell::cpu::half_shell {
 
@@ -29,10 +33,32 @@ struct Border {
   float upper = HUGE_VALF;
 };
 
-/// Below cell `above`, for spheres whose centres are at most `reach` apart.
+/// The cell of an axis, not wrapped, that all values lie in; none if they lie in several. There is
+/// at least one value.
+inline std::optional<std::uint32_t> common_cell(const Grid& grid, int axis,
+                                                std::span<const float> values) {
+  using Floats = Vector<float, 16>;
+  float lowest = values.front();
+  float highest = lowest;
+  Floats low(lowest);
+  Floats high(lowest);
+  for (; values.size() >= Floats::size(); values = values.subspan(Floats::size())) {
+    const Floats some(values.data(), stdx::element_aligned);
+    low = stdx::min(low, some);
+    high = stdx::max(high, some);
+  }
+  for (const float value : values) {
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+  }
+  const std::uint32_t cell = cell_coordinate(grid, axis, std::min(lowest, stdx::hmin(low)));
+  if (cell_coordinate(grid, axis, std::max(highest, stdx::hmax(high))) != cell) return {};
+  return cell;
+}
+
+/// Below cell `above`, not wrapped, for spheres whose centres are at most `reach` apart.
 inline Border border_below(const Grid& grid, int axis, std::uint32_t above, float reach) {
-  const bool one_border = !grid.wraps(axis) && above > 0;  // a wrapped row stands for several
-  if (!one_border || !std::isfinite(reach)) return {};
+  if (above == 0 || !std::isfinite(reach)) return {};
   const double place =
       (grid.first_unit[axis] + static_cast<double>(grid.width[axis].units) * above) /
       static_cast<double>(grid.units_per_length);

@@ -46,7 +46,7 @@ class SameLevel {
       const Run all = {row->begin, (row + 1)->begin};
       const Run part = {std::max(all.begin, begin), std::min(all.end, end)};
       sweep_row(*row, part, all);
-      const Place at = place_of(*row);
+      const Place at = place_of(*row, part);
       for (std::size_t k = 0;
            OCTOCELL_FAULT(shell_row_missing, k + 1 < cursors.size(), k < cursors.size()); ++k) {
         const auto there = row_one_step(at, kHalfShell[k], cursors[k]);
@@ -70,12 +70,26 @@ class SameLevel {
     std::uint32_t z;
     Border below_y, above_y, above_z;
   };
-  Place place_of(const Row& row) const {
+  Place place_of(const Row& row, Run part) const {
     const std::uint32_t number = row.first_id - level_.first_id;
-    const std::uint32_t z = number / grid_.stride_z;
-    const std::uint32_t y = (number - z * grid_.stride_z) / grid_.stride_y;
-    return {y, z, border_below(grid_, 1, y, diameter_), border_below(grid_, 1, y + 1, diameter_),
-            border_below(grid_, 2, z + 1, diameter_)};
+    Place at = {};
+    at.z = number / grid_.stride_z;
+    at.y = (number - at.z * grid_.stride_z) / grid_.stride_y;
+    if (const auto y = cell_of_part(1, at.y, part)) {
+      at.below_y = border_below(grid_, 1, *y, diameter_);
+      at.above_y = border_below(grid_, 1, *y + 1, diameter_);
+    }
+    if (const auto z = cell_of_part(2, at.z, part)) {
+      at.above_z = border_below(grid_, 2, *z + 1, diameter_);
+    }
+    return at;
+  }
+  /// Before wrapping. None: the row stands for several cells, and has spheres of some of them.
+  std::optional<std::uint32_t> cell_of_part(int axis, std::uint32_t wrapped, Run part) const {
+    if (!grid_.wraps(axis)) return wrapped;
+    const float* const values = axis == 1 ? o_.y.data() : o_.z.data();
+    return OCTOCELL_FAULT(border_of_first_sphere, cell_coordinate(grid_, axis, values[part.begin]),
+                          common_cell(grid_, axis, {values + part.begin, values + part.end}));
   }
 
   /// A row that is adjacent to another, and its spheres.

@@ -9,7 +9,8 @@ namespace octocell::cuda_custom::coherence {
 namespace {
 
 /// On an H100, a gas of a million spheres.
-constexpr SkinCosts kSkinCosts = {.list = 1.8F, .fetch = 0.3F, .compare = 0.3F, .near_pairs = 0.06F};
+constexpr SkinCosts kSkinCosts = {
+    .list = 1.8F, .fetch = 0.3F, .compare = 0.3F, .near_pairs = 0.06F};
 
 Kept read(const Workspace& w) {
   Kept kept;

@@ -15,10 +15,10 @@ struct IdsJob {
   std::uint32_t sphere_count;
   PlanFacts facts;
   Levels levels;
-  bool may_leave;    // where another course than a search may have been taken
-  float growth;      // of the radii, or 0
+  bool may_leave;      // where another course than a search may have been taken
+  float growth;        // of the radii, or 0
   const Flags* flags;  // or none
-  Sphere* searched;  // where the spheres go that are searched for; none: nobody asks
+  Sphere* searched;    // where the spheres go that are searched for; none: nobody asks
   std::uint32_t* cell_ids;
   Object* objects;
   State* state;
