@@ -30,8 +30,11 @@ void expect_exact(const Implementation& how, std::span<const Sphere> spheres,
   PlanOptions options = how.plan_options(2);
   options.allowed = options.allowed.both(allowed);
   Plan plan;
+  Skips left_out;
   try {
-    plan = find_completely(*finder, {spheres}, options).plan;
+    const Outcome outcome = find_completely(*finder, {spheres}, options);
+    plan = outcome.plan;
+    left_out = plan.taken.either(outcome.counts.used);
   } catch (const LimitError& refusal) {
     EXPECT_EQ(how.rule, Rule::chapter32) << what << ": " << refusal.what();
     return;
@@ -43,6 +46,9 @@ void expect_exact(const Implementation& how, std::span<const Sphere> spheres,
   EXPECT_TRUE(difference.missed == 0 || may_lose) << what << ": missed " << difference.missed;
   EXPECT_EQ(difference.false_pairs, 0U) << what;
   EXPECT_EQ(difference.duplicates, 0U) << what;
+  if (!how.is_baseline()) {
+    EXPECT_EQ(left_out.either(options.allowed), options.allowed) << what << ": more than it may";
+  }
   if (!plan.taken.has(Skip::doubts)) return;
   // On a lattice nothing is doubted: once more with the test that other scenes need.
   expect_exact(how, spheres, truth, what + " without skip doubts",

@@ -11,9 +11,12 @@ namespace octocell {
 namespace {
 
 Plan plan_for(const char* spec, Skips forced = {}) {
-  const Costs& costs = backend_named("impl_cuda_custom").costs;
-  return make_plan(measure(generate(spec).view()),
-                   {.method = {}, .forced = forced, .costs = costs});
+  const BackendInfo& device = backend_named("impl_cuda_custom");
+  return make_plan(measure(generate(spec).view()), {.method = {},
+                                                    .known = device.skips,
+                                                    .allowed = device.skips,
+                                                    .forced = forced,
+                                                    .costs = device.costs});
 }
 
 /// home_phantom queues more kernels, and a hundred thousand spheres do not keep them busy.

@@ -67,7 +67,8 @@ void add_ablation(std::vector<RowSpec>& rows, const RowSpec& planned) {
     rows.push_back(std::move(row));
   };
   const auto counts = [&](Skip skip) {
-    return skip < Skip::unchanged || planned.run == Run::dynamic;
+    return planned.how.backend->skips.has(skip) &&
+           (skip < Skip::unchanged || planned.run == Run::dynamic);
   };
   Skips first;
   add("none", first);

@@ -23,7 +23,7 @@ PairTest exact_test(const SceneStats& stats, const PlanOptions& options) {
     return PairTest::band_safe;
   }
   const bool equal = facts.r_min == facts.r_max && allowed.has(Skip::equal_radii);
-  return equal && options.costs.equal_radii_pay ? PairTest::band_equal : PairTest::band_fast;
+  return equal ? PairTest::band_equal : PairTest::band_fast;
 }
 
 /// The finest unit in which `length` is at most so many.

@@ -163,6 +163,7 @@ Explanation explain(const SceneStats& stats, const Plan& plan, const PlanOptions
     d.taken = plan.taken.has(skip) || (used && used->has(skip));
     d.fact = fact_of(skip, stats, plan, d.taken);
     if (!options.allowed.has(skip)) d.fact = "not allowed";
+    if (!options.known.has(skip)) d.fact = "this backend does not have it";
     if (d.taken && is_planned(skip)) d.expected_saving = saving_of(skip, stats, plan, options);
     e.decisions.push_back(d);
   }

@@ -187,7 +187,7 @@ std::string why_not(const Plan& plan, Skip skip) {
       return fmt::format("radii from {:g} to {:g} do not all lie in [2^-60, 2^62]",
                          plan.facts.r_min_nonzero, plan.facts.r_max);
     case Skip::equal_radii:
-      return "radii differ, or need guards, or no band is needed, or the backend reads them anyway";
+      return "radii differ, or need guards, or no band is needed";
     case Skip::doubts:
       return "the numbers lie on no lattice that is coarse enough";
     case Skip::key_bits:
@@ -197,12 +197,14 @@ std::string why_not(const Plan& plan, Skip skip) {
   }
 }
 
-void require_forced(const Plan& plan, Skips forced) {
+void require_forced(const Plan& plan, const PlanOptions& options) {
   for (std::size_t k = 0; k < kSkipCount; ++k) {
     const auto skip = static_cast<Skip>(k);
-    if (!forced.has(skip) || !is_planned(skip) || plan.taken.has(skip)) continue;
-    throw LimitError(
-        fmt::format("skip {} cannot be forced here: {}", name_of(skip), why_not(plan, skip)));
+    const bool is_known = options.known.has(skip);
+    if (!options.forced.has(skip)) continue;
+    if (is_known && (!is_planned(skip) || plan.taken.has(skip))) continue;
+    throw LimitError(fmt::format("skip {} cannot be forced here: {}", name_of(skip),
+                                 is_known ? why_not(plan, skip) : "the backend does not have it"));
   }
 }
 
@@ -242,7 +244,7 @@ Plan make_plan(const SceneStats& seen, const PlanOptions& options) {
   const SceneStats stats = options.moving ? with_room_to_move(seen) : seen;
   const Plan plan =
       options.method ? plan_method(stats, *options.method, options) : cheapest_plan(stats, options);
-  require_forced(plan, options.forced);
+  require_forced(plan, options);
   return plan;
 }
 

@@ -33,11 +33,10 @@ struct Costs {
   double per_id = 20.0;          // to make it, and to look at it in stages 4 and 5
   double per_id_and_pass = 1.5;  // to sort it by one digit
   double per_candidate = 0.4;
-  double per_run = 0.0;         // of home_phantom, beyond half_shell, for any scene
-  double per_pair = 0.2;        // of brute_force
-  double per_row = 5.0;         // of brute_force: of a sphere, which meets all behind it
-  int digit_bits = 8;           // the most that one pass sorts by
-  bool equal_radii_pay = true;  // a sum of radii that is a constant is not computed again
+  double per_run = 0.0;   // of home_phantom, beyond half_shell, for any scene
+  double per_pair = 0.2;  // of brute_force
+  double per_row = 5.0;   // of brute_force: of a sphere, which meets all behind it
+  int digit_bits = 8;     // the most that one pass sorts by
   ShellCosts shell = {};
 };
 
@@ -50,11 +49,12 @@ struct PlanOptions {
   bool count_only = false;
   std::uint64_t candidate_limit = ~std::uint64_t{0};
   std::optional<double> cell_side = {};  // scene units; only rule lowest_cell is free to choose
-  Skips allowed = Skips::all();
-  Skips forced = {};          // LimitError where the plan cannot take one of them
-  bool moving = false;        // plan for a box a little larger than the spheres fill now
-  bool buffers_only = false;  // for baselines, which make their own plans
-  Costs costs = {};           // rule lowest_cell picks the cells that cost least
+  Skips known = Skips::all();            // that the backend has; the others it is not asked for
+  Skips allowed = Skips::all();          // of those
+  Skips forced = {};                     // LimitError where the plan cannot take one of them
+  bool moving = false;                   // plan for a box a little larger than the spheres fill now
+  bool buffers_only = false;             // for baselines, which make their own plans
+  Costs costs = {};                      // rule lowest_cell picks the cells that cost least
 };
 
 /// What a plan is expected to cost, in the unit of Costs.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How many spheres of a sample share a cell, or a block of cells? In Morton order (Morton 1966, A
-// computer oriented geodetic data base) the cells of each block of 2^k a side follow each other: put
-// in order once, the sample answers for blocks of all sizes.
+// computer oriented geodetic data base) the cells of each block of 2^k a side follow each other:
+// put in order once, the sample answers for blocks of all sizes.
 #pragma once
 
 #include <algorithm>

@@ -25,7 +25,6 @@ constexpr Costs kDeviceCosts = {.per_id = 0.042,
                                 .per_run = 15e3,  // more kernels
                                 .per_row = 0.0,
                                 .digit_bits = 10,
-                                .equal_radii_pay = false,  // they come with the coordinates
                                 .shell = {.per_sphere = 0.09,
                                           .per_row = 0.0,
                                           .per_window = 0.004,
@@ -46,7 +45,6 @@ constexpr Costs kThrustCosts = {.per_id = 46.0,
                                 .per_candidate = 0.9,
                                 .per_pair = 1.2,
                                 .per_row = 0.0,
-                                .equal_radii_pay = false,
                                 .shell = {.per_sphere = 210.0,
                                           .per_row = 700.0,
                                           .per_window = 60.0,
@@ -67,6 +65,20 @@ constexpr std::array kAllPredicates = {
     Predicate::f64,      Predicate::aabb_only, Predicate::f16_cell,
     Predicate::q16_cell, Predicate::q16_exact, Predicate::gram_f32};
 constexpr std::span<const Predicate> kPlainPredicates = std::span(kAllPredicates).first<4>();
+
+/// Devices, and Thrust, read a radius with its coordinates anyway, and a sort that is not waited
+/// for runs all its passes.
+constexpr Skips kThrustSkips = Skips::all()
+                                   .without(Skip::equal_radii)
+                                   .without(Skip::passes)
+                                   .without(Skip::unchanged)
+                                   .without(Skip::few_movers)
+                                   .without(Skip::skin);
+constexpr Skips kCudaSkips = Skips::all()
+                                 .without(Skip::equal_radii)
+                                 .without(Skip::passes)
+                                 .without(Skip::sort)
+                                 .without(Skip::few_movers);
 
 constexpr std::array kAllMethods = {Method::home_phantom, Method::half_shell, Method::brute_force};
 
@@ -105,6 +117,7 @@ constexpr std::array kBackends = {
                 .summary = on_thrust::kHostSummary,
                 .methods = kAllMethods,
                 .predicates = kPlainPredicates,
+                .skips = kThrustSkips,
                 .threaded = on_thrust::kHostThreaded,
                 .why_unavailable = always_available,
                 .create = on_thrust::make_host_backend,
@@ -114,6 +127,7 @@ constexpr std::array kBackends = {
                 .summary = on_thrust::kCudaSummary,
                 .methods = kAllMethods,
                 .predicates = kPlainPredicates,
+                .skips = kThrustSkips,
                 .threaded = false,
                 .why_unavailable = on_thrust::why_no_cuda,
                 .create = on_thrust::make_cuda_backend,
@@ -124,6 +138,7 @@ constexpr std::array kBackends = {
                 .summary = "uniform grid and radix sort, kernels of our own (CUDA)",
                 .methods = kAllMethods,
                 .predicates = kAllPredicates,
+                .skips = kCudaSkips,
                 .threaded = false,
                 .why_unavailable = cuda_custom::why_unavailable,
                 .create = cuda_custom::make_backend,
@@ -180,14 +195,12 @@ const BackendInfo& backend_named(std::string_view name) {
 }
 
 PlanOptions Implementation::plan_options(int threads) const {
-  const bool has_half_shell =
-      std::ranges::find(backend->methods, Method::half_shell) != backend->methods.end();
-  const Skips allowed = has_half_shell ? Skips::all() : Skips::all().without(Skip::phantoms);
   return {.method = method,
           .rule = rule,
           .predicate = predicate,
           .threads = threads,
-          .allowed = allowed,
+          .known = backend->skips,
+          .allowed = backend->skips,
           .buffers_only = is_baseline(),
           .costs = costs_here(*backend)};
 }

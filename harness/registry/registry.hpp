@@ -23,6 +23,7 @@ struct BackendInfo {
   std::string_view summary;                    // one line, for people
   std::span<const Method> methods;             // empty for baselines: they have their own
   std::span<const Predicate> predicates = {};  // likewise
+  Skips skips = Skips::all();                  // what it can leave out
   bool threaded;                               // false: one thread whatever the plan says
   /// Nothing if it can run here, else why not.
   std::optional<std::string> (*why_unavailable)();
