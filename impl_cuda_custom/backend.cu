@@ -107,6 +107,8 @@ class CudaBackend final : public GridPairFinder {
     found.plan_violation = words_for(state.violations);
     found.served_by = coherence::skip_of(state.course);
     if (found.served_by) found.used = found.used.with(*found.served_by);
+    const bool sorted_ids = w_.half_shell() && !found.served_by && state.entries > 0;
+    if (sorted_ids && state.out_of_order == 0) found.used = found.used.with(Skip::sort);
     return found;
   }
 

@@ -45,6 +45,7 @@ State opening_state(const Workspace& w) {
     state.candidates = count * (count - 1) / 2;
   }
   if (count > 0 && count != w.plan.facts.sphere_count) state.violations = kOutsidePlan;
+  state.out_of_order = w.is_not_asked_for_order();
   return state;
 }
 

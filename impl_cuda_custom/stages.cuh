@@ -42,7 +42,7 @@ struct State {
   std::uint32_t violations = 0;
   std::uint32_t blocks_done = 0;  // of stage 2
   coherence::Course course = coherence::Course::search;
-  std::uint32_t unused = 0;  // fills the last word, so that a copy of it all reads nothing unset
+  std::uint32_t out_of_order = 0;  // some id of half_shell is below the one before, or nobody asks
 };
 static_assert(sizeof(State) == 9 * 8 + 4 * 4);
 
@@ -142,6 +142,10 @@ struct Workspace {
   [[nodiscard]] bool grows() const { return growth > 0.0F; }
   [[nodiscard]] const Levels& levels() const { return grows() ? plan.skin.levels : plan.levels; }
   [[nodiscard]] const RadixSort& sorter_now() const { return grows() ? *grown_sorter : *sorter; }
+  /// Of a search's State, before it begins.
+  [[nodiscard]] std::uint32_t is_not_asked_for_order() const {
+    return plan.allowed.has(Skip::sort) ? 0 : 1;
+  }
   [[nodiscard]] PairTest test() const { return grows() ? PairTest::band_safe : plan.test; }
 
   /// Cell ids (keys) with their objects (values), [plan.capacity.ids]: on side 0 before the sort.

@@ -93,5 +93,55 @@ TEST_F(HalfShellOnDevice, HalfShellNamesTheStageThatHoldsBounds) {
   EXPECT_EQ(outcome.times.fused_into[index_of(Stage::cell_ids)], Stage::bounds);
 }
 
+/// A line of spheres, each in a column of its own, in order, with keys of that many bits.
+struct Line {
+  std::vector<Sphere> spheres;
+  Plan plan;
+};
+Line line_in_order(std::size_t count, int bits) {
+  Line line;
+  for (std::size_t k = 0; k < count; ++k) {
+    line.spheres.push_back({0.75F * static_cast<float>(k), 0.0F, 0.0F, 0.5F});
+  }
+  line.plan = make_plan(measure({line.spheres}), {.method = Method::half_shell});
+  line.plan.levels = {.count = 1, .level = {make_level(line.plan.facts, 0.5F, 1.0, 4, 28)}};
+  line.plan.key_bits = std::max(key_bits_of(line.plan.levels), bits);
+  return line;
+}
+
+/// However many passes are left out: the ids are looked for on the side where the last would be.
+TEST_F(HalfShellOnDevice, SpheresInOrderAreNotSorted) {
+  for (const std::size_t count : {1, 31, 33, 513, 20000, 300001}) {
+    for (const int bits : {1, 20, 28, 32}) {
+      Line line = line_in_order(count, bits);
+      const PairDigest truth = digest_of(reference::exact_pairs(line.spheres));
+      for (const bool allowed : {true, false}) {
+        if (!allowed) line.plan.allowed = line.plan.allowed.without(Skip::sort);
+        HostClock clock;
+        const Outcome outcome = complete(*finder_, {line.spheres}, line.plan, clock);
+        EXPECT_EQ(outcome.counts.used.has(Skip::sort), allowed) << count << ", " << bits;
+        EXPECT_EQ(finder_->digest(), truth) << count << ", " << bits;
+      }
+    }
+  }
+}
+
+/// Wherever one is out of order: within a warp, between two, between blocks, at the ends.
+TEST_F(HalfShellOnDevice, ASphereOutOfOrderIsNoticed) {
+  constexpr std::size_t kCount = 300001;
+  const Line line = line_in_order(kCount, 20);
+  for (const std::size_t place :
+       {std::size_t{0}, std::size_t{17}, std::size_t{31}, std::size_t{511},
+        std::size_t{512 * 264 - 1}, std::size_t{512 * 264 * 2 - 1},
+        std::size_t{299999 / 32 * 32 - 1}, kCount - 2}) {
+    std::vector<Sphere> spheres = line.spheres;
+    std::swap(spheres[place], spheres[place + 1]);
+    HostClock clock;
+    const Outcome outcome = complete(*finder_, {spheres}, line.plan, clock);
+    EXPECT_FALSE(outcome.counts.used.has(Skip::sort)) << place;
+    EXPECT_EQ(finder_->digest(), digest_of(reference::exact_pairs(spheres))) << place;
+  }
+}
+
 }  // namespace
 }  // namespace octocell

@@ -85,6 +85,7 @@
   fault(text_last_line_lost, "a last line without a line break is not read") \
   /* impl_cuda_custom. */ \
   fault(cuda_stale_look_back, "all passes of the sort share one meaning of the look-back flags") \
+  fault(cuda_order_left_behind, "ids that come in order stay on the side where they are") \
   fault(cuda_reach_short, "a column of the neighbouring rows is missing") \
   fault(cuda_layer_missing, "the row above is met instead of the layer behind") \
   fault(cuda_blocks_missing, "half of the spheres have no thread") \

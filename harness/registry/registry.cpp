@@ -66,19 +66,16 @@ constexpr std::array kAllPredicates = {
     Predicate::q16_cell, Predicate::q16_exact, Predicate::gram_f32};
 constexpr std::span<const Predicate> kPlainPredicates = std::span(kAllPredicates).first<4>();
 
-/// Devices, and Thrust, read a radius with its coordinates anyway, and a sort that is not waited
-/// for runs all its passes.
+/// Devices, and Thrust, read a radius with its coordinates anyway; their sorts are queued with all
+/// passes before anybody knows a digit.
 constexpr Skips kThrustSkips = Skips::all()
                                    .without(Skip::equal_radii)
                                    .without(Skip::passes)
                                    .without(Skip::unchanged)
                                    .without(Skip::few_movers)
                                    .without(Skip::skin);
-constexpr Skips kCudaSkips = Skips::all()
-                                 .without(Skip::equal_radii)
-                                 .without(Skip::passes)
-                                 .without(Skip::sort)
-                                 .without(Skip::few_movers);
+constexpr Skips kCudaSkips =
+    Skips::all().without(Skip::equal_radii).without(Skip::passes).without(Skip::few_movers);
 
 constexpr std::array kAllMethods = {Method::home_phantom, Method::half_shell, Method::brute_force};
 

@@ -169,6 +169,7 @@ __global__ void __launch_bounds__(kBlockThreads, kBlocksAtOnce)
 State search_of(const Workspace& w) {
   State state;
   state.ids = w.sphere_count();
+  state.out_of_order = w.is_not_asked_for_order();
   return state;
 }
 

@@ -35,13 +35,19 @@ constexpr int kIdsThreads = digit_histograms::kThreads;
 constexpr int kSpheresAtOnce = 2;          // loads of a thread under way
 constexpr std::uint32_t kIdsBlocks = 264;  // fills the chip; each adds its counts to those of all
 
-/// Returns the violations met.
-template <int kPasses>
-__device__ std::uint32_t put_ids(const IdsJob& job, std::uint32_t* counts) {
-  const std::uint32_t stride = gridDim.x * kIdsThreads;
+/// What a thread has met.
+struct Met {
   std::uint32_t violations = 0;
-  for (std::uint32_t first = blockIdx.x * kIdsThreads + threadIdx.x; first < job.sphere_count;
-       first += kSpheresAtOnce * stride) {
+  bool out_of_order = false;  // an id below that of the sphere before, within the warp
+};
+
+template <int kPasses>
+__device__ Met put_ids(const IdsJob& job, std::uint32_t* counts) {
+  const std::uint32_t stride = gridDim.x * kIdsThreads;
+  Met met;
+  // Warps stay whole: each lane asks the one below it.
+  for (std::uint32_t first = blockIdx.x * kIdsThreads + threadIdx.x;
+       first - lane() < job.sphere_count; first += kSpheresAtOnce * stride) {
     Sphere spheres[kSpheresAtOnce];
 #pragma unroll
     for (int k = 0; k < kSpheresAtOnce; ++k) {
@@ -51,27 +57,46 @@ __device__ std::uint32_t put_ids(const IdsJob& job, std::uint32_t* counts) {
 #pragma unroll
     for (int k = 0; k < kSpheresAtOnce; ++k) {
       const std::uint32_t i = first + k * stride;
-      if (i >= job.sphere_count) break;
-      violations |= violation_of(spheres[k], job.facts);
-      if (job.searched != nullptr) store_sphere(job.searched, i, spheres[k]);
-      const std::uint32_t id = job.id_of(i, spheres[k]);
-      job.cell_ids[i] = id;
-      job.objects[i] = i;
-      digit_histograms::count_key<kPasses>(job.digits, id, counts);
+      std::uint32_t id = ~0U;
+      if (i < job.sphere_count) {
+        met.violations |= violation_of(spheres[k], job.facts);
+        if (job.searched != nullptr) store_sphere(job.searched, i, spheres[k]);
+        id = job.id_of(i, spheres[k]);
+        job.cell_ids[i] = id;
+        job.objects[i] = i;
+        digit_histograms::count_key<kPasses>(job.digits, id, counts);
+      }
+      met.out_of_order |= __shfl_up_sync(kAllLanes, id, 1) > id && lane() > 0;
     }
   }
-  return violations;
+  return met;
+}
+
+/// The last block's: what no warp has seen.
+__device__ inline bool out_of_order_between_warps(const IdsJob& job) {
+  bool found = false;
+#pragma unroll 8
+  for (std::uint32_t i = (threadIdx.x + 1) * kWarpThreads; i < job.sphere_count;
+       i += kIdsThreads * kWarpThreads) {
+    found |= __ldcg(&job.cell_ids[i - 1]) > __ldcg(&job.cell_ids[i]);
+  }
+  return found;
 }
 
 template <int kPasses>
 __global__ void __launch_bounds__(kIdsThreads, 2) ids_kernel(const __grid_constant__ IdsJob job) {
   extern __shared__ std::uint32_t counts[];
-  if (job.may_leave && job.state->course != coherence::Course::search) return;
+  State* const state = job.state;
+  if (job.may_leave && state->course != coherence::Course::search) return;
   digit_histograms::open<kPasses>(job.digits, job.sphere_count, counts);
-  const std::uint32_t violations = put_ids<kPasses>(job, counts);
-  if (violations != 0) atomicOr(&job.state->violations, violations);
-  if (!digit_histograms::close<kPasses>(job.digits, counts) || threadIdx.x != 0) return;
-  if (atomicOr(&job.state->violations, 0U) == 0) job.state->entries = job.sphere_count;
+  const Met met = put_ids<kPasses>(job, counts);
+  if (met.violations != 0) atomicOr(&state->violations, met.violations);
+  if (met.out_of_order) state->out_of_order = 1;
+  if (!digit_histograms::close<kPasses>(job.digits, counts)) return;
+  const bool in_order = __ldcg(&state->out_of_order) == 0;
+  if (in_order && out_of_order_between_warps(job)) state->out_of_order = 1;
+  if (threadIdx.x != 0) return;
+  if (atomicOr(&state->violations, 0U) == 0) state->entries = job.sphere_count;
 }
 
 inline void cell_ids(Workspace& w) {

@@ -19,6 +19,19 @@
 namespace octocell::cuda_custom::onesweep {
 namespace {
 
+/// What came in order stands where it did before the first pass. It goes where the last would leave
+/// it.
+template <typename Here>
+__device__ void take_over(const Pass& pass) {
+  const std::uint32_t count = pairs_to_sort(pass.count, pass.capacity);
+  const std::uint32_t begin = blockIdx.x * Here::kSize;
+  for (std::uint32_t i = begin + threadIdx.x; i < min(begin + Here::kSize, count);
+       i += Here::kThreads) {
+    pass.to.keys[i] = pass.from.keys[i];
+    pass.to.values[i] = pass.from.values[i];
+  }
+}
+
 /// With all registers: large tiles are fast, since the runs of neighbours that they write are long.
 /// (Both ends of a run fill a sector of memory in part, and the time of a pass follows how many
 /// such sectors there are.) That is one block a multiprocessor where digits are wide, else two, one
@@ -28,6 +41,10 @@ __global__ void __launch_bounds__(threads_of(kDigitBits), kThreadsAtOnce / threa
     onesweep_kernel(Pass pass) {
   using Here = Tile<kDigitBits, kItems, kFrom, kTo>;
   extern __shared__ uint4 memory[];
+  if (pass.out_of_order != nullptr && *pass.out_of_order == 0) {
+    if (pass.takes_over) take_over<Here>(pass);
+    return;
+  }
   Here tile(pass, *reinterpret_cast<typename Here::Shared*>(memory));
   if (!tile.take()) return;
   tile.load();
@@ -185,16 +202,20 @@ void launch_passes(const Shape& shape, const Call& call) {
   const Layout there = layout_of(shape, call.scratch);
   const int last = shape.plan.passes - 1;
   for (int p = 0; p <= last; ++p) {
-    const Pass pass = {.from = call.from(p),
-                       .to = call.to(p),
-                       .count = call.count,
-                       .capacity = shape.capacity,
-                       .digit = shape.plan.digits[p],
-                       .starts = there.starts + static_cast<std::size_t>(p) * 2 * v.owners,
-                       .next_tile = there.next_tile + p,
-                       .words = there.words + look_back::kMargin * v.owners,
-                       .states = look_back::states_of(OCTOCELL_FAULT(cuda_stale_look_back, 0, p)),
-                       .ones = kOnes};
+    const Pass pass = {
+        .from = call.from(p),
+        .to = call.to(p),
+        .count = call.count,
+        .capacity = shape.capacity,
+        .out_of_order = call.out_of_order,
+        .takes_over = OCTOCELL_FAULT(cuda_order_left_behind, false,
+                                     p == last && call.to(p).keys != call.front.keys),
+        .digit = shape.plan.digits[p],
+        .starts = there.starts + static_cast<std::size_t>(p) * 2 * v.owners,
+        .next_tile = there.next_tile + p,
+        .words = there.words + look_back::kMargin * v.owners,
+        .states = look_back::states_of(OCTOCELL_FAULT(cuda_stale_look_back, 0, p)),
+        .ones = kOnes};
     const auto kernel = v.kernels[p == 0 ? 0 : 1][p == last ? 0 : 1];  // the caller has arrays
     const std::uint32_t tiles = parts_of(shape.capacity, v.tile_items);
     kernel<<<tiles, v.threads, v.shared_bytes, call.stream>>>(pass);

@@ -26,6 +26,8 @@ struct Pass {
   KeysAndValues to;
   const std::uint64_t* count;
   std::uint32_t capacity;
+  const std::uint32_t* out_of_order;  // or none
+  bool takes_over;  // what comes in order: else the result is looked for where it lies already
   Digit digit;
   const std::uint32_t* starts;  // [bins] where the first key with each digit goes
   std::uint32_t* next_tile;

@@ -54,7 +54,7 @@ std::uint64_t RadixSort::scratch_bytes() const {
 void RadixSort::launch(KeysAndValues front, KeysAndValues back, const std::uint64_t* count,
                        void* scratch, cudaStream_t stream) const {
   if (capacity_ == 0 || plan_.passes == 0) return;
-  code_of(rung_).launch({capacity_, plan_, tile_}, {front, back, count, scratch, stream});
+  code_of(rung_).launch({capacity_, plan_, tile_}, {front, back, count, nullptr, scratch, stream});
 }
 
 std::uint64_t RadixSort::zeroed_words() const {
@@ -62,12 +62,15 @@ std::uint64_t RadixSort::zeroed_words() const {
 }
 
 digit_histograms::Job RadixSort::histograms(const std::uint64_t* count, void* scratch) const {
-  return onesweep::histograms_of({capacity_, plan_, tile_}, {{}, {}, count, scratch, nullptr});
+  return onesweep::histograms_of({capacity_, plan_, tile_},
+                                 {{}, {}, count, nullptr, scratch, nullptr});
 }
 
 void RadixSort::launch_passes(KeysAndValues front, KeysAndValues back, const std::uint64_t* count,
-                              void* scratch, cudaStream_t stream) const {
-  onesweep::launch_passes({capacity_, plan_, tile_}, {front, back, count, scratch, stream});
+                              const std::uint32_t* out_of_order, void* scratch,
+                              cudaStream_t stream) const {
+  onesweep::launch_passes({capacity_, plan_, tile_},
+                          {front, back, count, out_of_order, scratch, stream});
 }
 
 }  // namespace octocell::cuda_custom

@@ -52,12 +52,13 @@ class RadixSort {
 
   /// launch() in parts, for a kernel that makes the keys and counts their digits while it has them
   /// (digit_histograms.cuh): the first words of `scratch` are zero, that kernel runs, then come the
-  /// passes. Rung onesweep, and keys of one bit or more.
+  /// passes. Rung onesweep, and keys of one bit or more. `out_of_order`, on the device: zero, and
+  /// the keys come in order; they are only taken to the side where the result is looked for.
   [[nodiscard]] int passes() const { return plan_.passes; }
   [[nodiscard]] std::uint64_t zeroed_words() const;
   [[nodiscard]] digit_histograms::Job histograms(const std::uint64_t* count, void* scratch) const;
   void launch_passes(KeysAndValues front, KeysAndValues back, const std::uint64_t* count,
-                     void* scratch, cudaStream_t stream) const;
+                     const std::uint32_t* out_of_order, void* scratch, cudaStream_t stream) const;
 
  private:
   Rung rung_;

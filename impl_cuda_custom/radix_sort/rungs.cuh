@@ -18,6 +18,7 @@ struct Call {
   KeysAndValues front;
   KeysAndValues back;
   const std::uint64_t* count;
+  const std::uint32_t* out_of_order;  // or none: nobody knows
   void* scratch;
   cudaStream_t stream;
 
