@@ -38,27 +38,36 @@ constexpr std::uint32_t kIdsBlocks = 264;  // fills the chip; each adds its coun
 /// What a thread has met.
 struct Met {
   std::uint32_t violations = 0;
-  bool out_of_order = false;  // an id below that of the sphere before, within the warp
+  bool out_of_order = false;  // an id below that of the sphere before, in the part of its warp
 };
+
+/// Each warp has a part of the spheres for itself, in a row, so that it sees the ids in their
+/// order.
+__device__ inline std::uint32_t spheres_of_warp(const IdsJob& job) {
+  const std::uint32_t warps = gridDim.x * (kIdsThreads / kWarpThreads);
+  return parts_of(parts_of(job.sphere_count, warps), kWarpThreads) * kWarpThreads;
+}
 
 template <int kPasses>
 __device__ Met put_ids(const IdsJob& job, std::uint32_t* counts) {
-  const std::uint32_t stride = gridDim.x * kIdsThreads;
+  const std::uint32_t size = spheres_of_warp(job);
+  const std::uint32_t warp = (blockIdx.x * kIdsThreads + threadIdx.x) / kWarpThreads;
+  const std::uint32_t begin = min(warp * size, job.sphere_count);
+  const std::uint32_t end = min(begin + size, job.sphere_count);
   Met met;
-  // Warps stay whole: each lane asks the one below it.
-  for (std::uint32_t first = blockIdx.x * kIdsThreads + threadIdx.x;
-       first - lane() < job.sphere_count; first += kSpheresAtOnce * stride) {
+  std::uint32_t last = 0;  // id of the 32 spheres before
+  for (std::uint32_t first = begin; first < end; first += kSpheresAtOnce * kWarpThreads) {
     Sphere spheres[kSpheresAtOnce];
 #pragma unroll
     for (int k = 0; k < kSpheresAtOnce; ++k) {
-      const std::uint32_t i = first + k * stride;
-      if (i < job.sphere_count) spheres[k] = load_sphere(job.spheres, i);
+      const std::uint32_t i = first + k * kWarpThreads + lane();
+      if (i < end) spheres[k] = load_sphere(job.spheres, i);
     }
 #pragma unroll
     for (int k = 0; k < kSpheresAtOnce; ++k) {
-      const std::uint32_t i = first + k * stride;
+      const std::uint32_t i = first + k * kWarpThreads + lane();
       std::uint32_t id = ~0U;
-      if (i < job.sphere_count) {
+      if (i < end) {
         met.violations |= violation_of(spheres[k], job.facts);
         if (job.searched != nullptr) store_sphere(job.searched, i, spheres[k]);
         id = job.id_of(i, spheres[k]);
@@ -66,7 +75,9 @@ __device__ Met put_ids(const IdsJob& job, std::uint32_t* counts) {
         job.objects[i] = i;
         digit_histograms::count_key<kPasses>(job.digits, id, counts);
       }
-      met.out_of_order |= __shfl_up_sync(kAllLanes, id, 1) > id && lane() > 0;
+      const std::uint32_t below = __shfl_up_sync(kAllLanes, id, 1);
+      met.out_of_order |= (lane() == 0 ? last : below) > id;
+      last = __shfl_sync(kAllLanes, id, kWarpThreads - 1);
     }
   }
   return met;
@@ -74,10 +85,10 @@ __device__ Met put_ids(const IdsJob& job, std::uint32_t* counts) {
 
 /// The last block's: what no warp has seen.
 __device__ inline bool out_of_order_between_warps(const IdsJob& job) {
+  const std::uint32_t size = spheres_of_warp(job);
   bool found = false;
-#pragma unroll 8
-  for (std::uint32_t i = (threadIdx.x + 1) * kWarpThreads; i < job.sphere_count;
-       i += kIdsThreads * kWarpThreads) {
+#pragma unroll 4
+  for (std::uint32_t i = (threadIdx.x + 1) * size; i < job.sphere_count; i += kIdsThreads * size) {
     found |= __ldcg(&job.cell_ids[i - 1]) > __ldcg(&job.cell_ids[i]);
   }
   return found;
