@@ -137,7 +137,7 @@ PairDigest pairs_of_line(std::size_t count, std::size_t swapped) {
   };
   std::vector<Pair> pairs;
   for (std::size_t place = 0; place + 1 < count; ++place) {
-    const auto [i, j] = std::minmax(sphere_at(place), sphere_at(place + 1));
+    const auto [i, j] = std::minmax({sphere_at(place), sphere_at(place + 1)});
     pairs.push_back({i, j});
   }
   return digest_of(pairs);

@@ -102,7 +102,8 @@ __global__ void __launch_bounds__(kIdsThreads, 2) ids_kernel(const __grid_consta
   digit_histograms::open<kPasses>(job.digits, job.sphere_count, counts);
   const Met met = put_ids<kPasses>(job, counts);
   if (met.violations != 0) atomicOr(&state->violations, met.violations);
-  if (met.out_of_order) state->out_of_order = 1;
+  const bool out_of_order = __syncthreads_or(met.out_of_order) != 0;
+  if (out_of_order && threadIdx.x == 0) state->out_of_order = 1;
   if (!digit_histograms::close<kPasses>(job.digits, counts)) return;
   const bool in_order = __ldcg(&state->out_of_order) == 0;
   if (in_order && out_of_order_between_warps(job)) state->out_of_order = 1;
