@@ -48,6 +48,7 @@ class ThrustBackend final : public GridPairFinder {
     found.pairs = w_.pair_count;
     found.over_candidate_limit = w_.candidates > w_.plan.candidate_limit;
     found.plan_violation = w_.violation;
+    found.used = w_.used;
     return found;
   }
 

@@ -92,6 +92,7 @@ template <typename System>
 void bounds(Workspace<System>& w) {
   w.violation.reset();
   w.candidates = 0;
+  w.used = {};
   if (w.plan.nothing_to_find) leave_nothing(w);
   if (w.sphere_count() == 0) return;
   const Extremes seen =

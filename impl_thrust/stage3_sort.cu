@@ -15,7 +15,10 @@ void sort(Workspace<System>& w) {
   if (w.violation || !w.ids_complete()) return;
   std::uint32_t* const keys = w.cell_ids.data();
   const bool may_be_sorted = w.half_shell() && w.plan.allowed.has(Skip::sort);
-  if (may_be_sorted && thrust::is_sorted(w.system.policy(), keys, keys + w.id_count)) return;
+  if (may_be_sorted && thrust::is_sorted(w.system.policy(), keys, keys + w.id_count)) {
+    w.used = w.used.with(Skip::sort);
+    return;
+  }
   thrust::stable_sort_by_key(w.system.policy(), keys, keys + w.id_count, w.objects.data());
 }
 

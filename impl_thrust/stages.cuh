@@ -61,6 +61,7 @@ struct Workspace {
   std::uint64_t id_count = 0;
   std::uint64_t cell_count = 0;
   std::uint64_t candidates = 0;
+  Skips used;  // of those that only the data can allow
   std::uint64_t doubt_count = 0;
   std::uint64_t sure_count = 0;
   std::uint64_t pair_count = 0;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <ranges>
 
 #include "harness/interface/flags.hpp"
 #include "impl_cpu/coherence/same_bits.hpp"
@@ -25,6 +24,13 @@ constexpr std::uint64_t kMostPerPair = 2;  // near pairs, for each pair that the
 bool same_radius(const Sphere& a, const Sphere& b) {
   return std::bit_cast<std::uint32_t>(a.r) == std::bit_cast<std::uint32_t>(b.r);
 }
+
+/// Where there are no static spheres, the n-th that may move has place n.
+struct AllPlaces {
+  std::uint64_t count;
+  [[nodiscard]] std::uint64_t size() const { return count; }
+  std::uint64_t operator[](std::uint64_t n) const { return n; }
+};
 
 /// Whether spheres that keep their radii and go no further than `step` cannot break the plan's
 /// facts.
@@ -158,8 +164,7 @@ bool NearPairs::fetch(const Workspace& whole, const Places& places, std::uint64_
 }
 
 bool NearPairs::still_hold(const Workspace& whole) {
-  const std::uint64_t count = whole.scene.spheres.size();
-  if (!some_are_static_) return movable_are_near(whole, std::views::iota(std::uint64_t{0}, count));
+  if (!some_are_static_) return movable_are_near(whole, AllPlaces{whole.scene.spheres.size()});
   return statics_stand(whole) && movable_are_near(whole, std::span(movable_));
 }
 
