@@ -16,7 +16,7 @@ namespace octocell {
 
 class SampledCells {
  public:
-  /// `columns` of the grid, along x, make a cell. There is a sample.
+  /// `columns` of the grid, along x, make a cell.
   SampledCells(const Grid& grid, const std::vector<Sphere>& sample, std::uint32_t columns)
       : finest_(std::max(bits_of_coordinates(grid, columns) - kMortonBits, 0)) {
     codes_.reserve(sample.size());
