@@ -106,9 +106,11 @@ void play_with_every_choice(const NewPlayer& new_player, const FlagsFor& flags_f
   }
 }
 
-inline void expect_all_to_have_served(std::initializer_list<Skip> skips, const Served& served) {
+inline void expect_all_to_have_served(std::initializer_list<Skip> skips, const Served& served,
+                                      int more_than = 50) {
   for (const Skip skip : skips) {
-    EXPECT_GT(served[static_cast<std::size_t>(skip)], 40) << name_of(skip) << " is not tested";
+    EXPECT_GT(served[static_cast<std::size_t>(skip)], more_than)
+        << name_of(skip) << " is not tested";
   }
 }
 

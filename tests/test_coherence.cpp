@@ -25,7 +25,9 @@ TEST_P(Sequences, HaveTheExactPairsWhateverIsAllowed) {
   play_with_every_choice([&](Skips allowed) { return on_cpu(moving(allowed, threads)); },
                          [&](const Spheres& s) { return flags_of(s.size(), static_share, 11); },
                          served);
-  expect_all_to_have_served({Skip::unchanged, Skip::few_movers, Skip::skin}, served);
+  // A static sphere that does move, as here, ends a list.
+  expect_all_to_have_served({Skip::unchanged, Skip::few_movers, Skip::skin}, served,
+                            static_share < 0.0 ? 50 : 40);
 }
 
 INSTANTIATE_TEST_SUITE_P(ThreadsAndStatics, Sequences,

@@ -28,7 +28,8 @@ TEST_P(CoherenceOnDevice, EveryFrameHasTheExactPairsWhateverIsAllowed) {
   play_with_every_choice(
       [](Skips allowed) { return on_device(moving(allowed)); },
       [](const Spheres& spheres) { return flags_of(spheres.size(), GetParam(), 11); }, served);
-  expect_all_to_have_served({Skip::unchanged, Skip::skin}, served);
+  // A static sphere that does move, as here, ends a list.
+  expect_all_to_have_served({Skip::unchanged, Skip::skin}, served, GetParam() < 0.0 ? 50 : 40);
 }
 
 INSTANTIATE_TEST_SUITE_P(StaticShares, CoherenceOnDevice, testing::Values(-1.0, 0.3, 0.9));

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <vector>
 
 #include "harness/interface/faults.hpp"
 #include "harness/interface/host_device.hpp"
@@ -24,6 +25,15 @@ OCTOCELL_HD bool may_collide(Flags a, Flags b) {
 
 inline std::uint64_t count_static(std::span<const Flags> flags) {
   return static_cast<std::uint64_t>(std::ranges::count_if(flags, is_static));
+}
+
+/// The numbers of those that are not static.
+inline std::vector<std::uint32_t> movable_among(std::span<const Flags> flags) {
+  std::vector<std::uint32_t> movable;
+  for (std::uint32_t k = 0; k < flags.size(); ++k) {
+    if (!is_static(flags[k])) movable.push_back(k);
+  }
+  return movable;
 }
 
 /// False where it is certain that no two spheres may collide, so that nothing need be searched. One

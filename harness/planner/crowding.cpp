@@ -17,7 +17,7 @@ double filled_rows(const Level& level, const Members& members) {
   const auto filled = [&](double rows) { return rows * (1.0 - std::exp(-members.count / rows)); };
   const double evenly = filled(rows_of_cells(grid));
   if (!grid.wraps()) return evenly;
-  const SampledCells sampled(level.grid, members.sample, ~0U);  // all columns are one cell
+  const SampledCells sampled(grid, members.sample, ~0U);  // all columns are one cell
   const auto pairs = static_cast<double>(sampled.pairs_in_blocks(sampled.finest()));
   const auto size = static_cast<double>(members.sample.size());
   return pairs < kEnough ? evenly : std::min(evenly, filled(size * size / 2.0 / pairs));
@@ -49,15 +49,15 @@ std::uint32_t columns_per_cell(const Grid& grid) {
 /// That is small, so it is asked for blocks of cells, the smallest in which enough of it meet.
 double neighbours_in_cell(const Level& level, const Members& members) {
   constexpr std::uint64_t kEnough = 100;
-  const std::uint32_t columns = columns_per_cell(level.grid);
+  const Grid& grid = level.grid;
+  const std::uint32_t columns = columns_per_cell(grid);
   const double cells_there = std::max(static_cast<double>(level.ids) / columns, 1.0);
   const double evenly = members.count / cells_there;
   const auto size = static_cast<double>(members.sample.size());
-  const Grid& grid = level.grid;
   const std::uint32_t cells[3] = {grid.cell_count[0] / columns + 1, grid.cell_count[1],
                                   grid.cell_count[2]};
   const std::uint32_t most = std::max({cells[0], cells[1], cells[2]});
-  const SampledCells sampled(level.grid, members.sample, columns);
+  const SampledCells sampled(grid, members.sample, columns);
   for (int shift = sampled.finest(); size > 1 && most >> shift != 0; ++shift) {
     const std::uint64_t pairs = sampled.pairs_in_blocks(shift);
     if (pairs < kEnough) continue;

@@ -22,18 +22,10 @@ float distance_moved(const Sphere& before, const Sphere& now) {
   return std::hypot(now.x - before.x, now.y - before.y, now.z - before.z);
 }
 
-std::vector<std::uint32_t> movable_of(SceneView scene) {
-  std::vector<std::uint32_t> movable;
-  for (std::uint32_t i = 0; i < scene.flags.size(); ++i) {
-    if (!is_static(scene.flags[i])) movable.push_back(i);
-  }
-  return movable;
-}
-
 }  // namespace
 
 void MotionSample::reset(SceneView scene) {
-  const std::vector<std::uint32_t> movable = movable_of(scene);
+  const std::vector<std::uint32_t> movable = movable_among(scene.flags);
   const std::uint64_t count = movable.empty() ? scene.spheres.size() : movable.size();
   has_seen_ = false;
   chosen_.resize(std::min(count, kSampled));

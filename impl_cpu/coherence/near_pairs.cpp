@@ -101,18 +101,9 @@ void NearPairs::put_flags_in_order(std::span<const Flags> flags) {
   flags_.resize(flags.size());
   for (std::size_t k = 0; k < flags.size(); ++k) flags_[k] = flags[order()[k]];
   grown_.scene.flags = flags_;
-  list_movable();
-}
-
-void NearPairs::list_movable() {
-  some_are_static_ = std::ranges::any_of(flags_, is_static);
-  movable_.clear();
+  movable_ = movable_among(flags_);
   movable_ids_.clear();
-  for (std::uint32_t k = 0; some_are_static_ && k < flags_.size(); ++k) {
-    if (is_static(flags_[k])) continue;
-    movable_.push_back(k);
-    movable_ids_.push_back(order()[k]);
-  }
+  for (const std::uint32_t k : movable_) movable_ids_.push_back(order()[k]);
 }
 
 void NearPairs::fetch_then(const Workspace& whole) {
@@ -123,7 +114,7 @@ void NearPairs::fetch_then(const Workspace& whole) {
         for (std::uint64_t k = begin; k < end; ++k) {
           __builtin_prefetch(&spheres[order()[std::min(k + kPrefetchAhead, last)]]);
           now_[k] = spheres[order()[k]];
-          if (!some_are_static_) then_[k] = now_[k];
+          if (flags_.empty()) then_[k] = now_[k];
         }
       });
   for (std::size_t n = 0; n < movable_.size(); ++n) then_[n] = now_[movable_[n]];
@@ -141,7 +132,7 @@ template <typename Places>
 bool NearPairs::fetch(const Workspace& whole, const Places& places, std::uint64_t begin,
                       std::uint64_t end) {
   const Sphere* const spheres = whole.scene.spheres.data();
-  const Object* const ids = some_are_static_ ? movable_ids_.data() : order();
+  const Object* const ids = some_are_static() ? movable_ids_.data() : order();
   const std::uint64_t last = places.size() - 1;
   const float ball = band_radius<Band::safe>(
       OCTOCELL_FAULT(frame_skin_twice_too_wide, 2.0F * half_skin_, half_skin_));
@@ -164,7 +155,7 @@ bool NearPairs::fetch(const Workspace& whole, const Places& places, std::uint64_
 }
 
 bool NearPairs::still_hold(const Workspace& whole) {
-  if (!some_are_static_) return movable_are_near(whole, AllPlaces{whole.scene.spheres.size()});
+  if (!some_are_static()) return movable_are_near(whole, AllPlaces{whole.scene.spheres.size()});
   return statics_stand(whole) && movable_are_near(whole, std::span(movable_));
 }
 

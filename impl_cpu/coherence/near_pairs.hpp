@@ -34,7 +34,6 @@ class NearPairs {
  private:
   [[nodiscard]] bool is_within_reach(const Sphere& then, const Sphere& now) const;
   void put_flags_in_order(std::span<const Flags> flags);
-  void list_movable();
   void fetch_then(const Workspace& whole);
   [[nodiscard]] bool statics_stand(const Workspace& whole) const;
   template <typename Places>
@@ -46,6 +45,7 @@ class NearPairs {
   template <PairTest test>
   void decide_all(Workspace& whole) const;
   [[nodiscard]] const Object* order() const { return grown_.ids[grown_.current].objects.data(); }
+  [[nodiscard]] bool some_are_static() const { return movable_.size() < flags_.size(); }
   [[nodiscard]] std::uint64_t size() const { return grown_.pairs.size() + grown_.doubts.size(); }
 
   bool are_known_ = false;
@@ -55,8 +55,8 @@ class NearPairs {
   Workspace grown_;           // its pairs are numbers in the order of the columns: neighbours in
                               // space are neighbours in memory
   std::vector<Flags> flags_;  // in that order, as they were when the list was made
-  bool some_are_static_ = false;
-  std::vector<std::uint32_t> movable_;  // if so, the places in that order of the others
+  std::vector<std::uint32_t> movable_;  // where there are flags: the places in that order of those
+                                        // that are not static
   std::vector<Object> movable_ids_;     // and their numbers in the scene
   Buffer<Sphere> then_;                 // of those that may move, when the list was made
   Buffer<Sphere> now_;
