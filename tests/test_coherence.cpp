@@ -166,46 +166,6 @@ TEST(Unchanged, AFrameThatFailedIsNoGround) {
   EXPECT_EQ(finder->digest(), digest_of(reference::exact_pairs(start)));
 }
 
-TEST(FewMovers, CostWorkInProportionToThem) {
-  for (const char* spec : {"gas:n=20000", "dense:n=20000", "poly:n=20000", "giant:n=20000"}) {
-    const Frames frames = played(spec, Motion::few, 6);
-    Player player = on_cpu(moving(Skips::all().without(Skip::skin)));
-    for (std::size_t f = 0; f < frames.size(); ++f) {
-      const Counts counts = player.check({frames[f]}, spec);
-      if (f == 0) continue;
-      EXPECT_EQ(counts.served_by, Skip::few_movers) << spec;
-      EXPECT_NEAR(static_cast<double>(counts.ids), 2000.0, 200.0) << spec;
-      EXPECT_LE(counts.candidates, 400 * (counts.ids + counts.pairs)) << spec;
-    }
-    EXPECT_EQ(player.plans(), 1) << spec;
-  }
-}
-
-TEST(FewMovers, OneAloneIsLookedForAlone) {
-  Spheres spheres = generate("gas:n=20000").spheres;
-  Player player = on_cpu(moving());
-  player.check({spheres}, "start");
-  for (int step = 0; step < 5; ++step) {
-    spheres[77].x *= 0.9F;
-    const Counts counts = player.check({spheres}, "a step");
-    EXPECT_EQ(counts.served_by, Skip::few_movers);
-    EXPECT_EQ(counts.ids, 1U);
-    EXPECT_LE(counts.candidates, 600U);
-  }
-}
-
-TEST(FewMovers, AreGivenUpWhenTheyAreMany) {
-  Player player = on_cpu(moving(Skips::all().without(Skip::skin)));
-  Spheres spheres = generate("gas:n=6000").spheres;
-  int searches = 0;
-  for (std::size_t f = 0; f < 30; ++f) {  // another twentieth each time
-    for (std::size_t i = f % 20; i < spheres.size(); i += 20) spheres[i].y *= 0.99F;
-    searches += player.check({spheres}, "twentieth").served_by ? 0 : 1;
-  }
-  EXPECT_GE(searches, 6);
-  EXPECT_LE(searches, 9);
-}
-
 TEST(Skin, TestsTheNearPairsAndNoOthers) {
   for (const char* spec : {"gas:n=20000", "poly:n=20000", "dense:n=20000"}) {
     const Frames frames = played(spec, Motion::slow, 25);

@@ -48,6 +48,7 @@
   fault(sort_skips_mixed_digit, "a digit that all keys but one share is not sorted by") \
   fault(index_last_cell_missing, "the last cell is not listed") \
   fault(index_row_lost_between_blocks, "a row that begins with a block is not listed") \
+  fault(index_blocks_left_over, "blocks count that only an earlier frame had spheres for") \
   fault(lowest_cell_rule_dropped, "a pair counts in every cell that both meet") \
   fault(lanes_touching_apart, "< for <= in lanes: spheres that touch are apart") \
   fault(tile_pairs_with_self, "a sphere is tested against itself") \

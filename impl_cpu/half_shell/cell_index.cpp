@@ -67,11 +67,14 @@ std::uint64_t list_rows(Workspace& w, std::uint64_t begin, std::uint64_t end) {
   return listed;
 }
 
-/// Closes the gaps between the blocks' rows, and ends the last.
+/// Closes the gaps between the blocks' rows, and ends the last. An earlier frame may have listed
+/// rows in more blocks.
 void join_rows(Workspace& w, const std::vector<std::uint64_t>& listed) {
   OrderedSpheres& o = w.ordered;
   std::uint64_t count = 0;
-  for (std::size_t block = 0; block < listed.size(); ++block) {
+  const std::uint64_t blocks = (w.id_count + kIndexedPerBlock - 1) / kIndexedPerBlock;
+  const std::uint64_t joined = OCTOCELL_FAULT(index_blocks_left_over, listed.size(), blocks);
+  for (std::uint64_t block = 0; block < joined; ++block) {
     const Row* const rows = o.rows.data() + block * kIndexedPerBlock;
     std::copy(rows, rows + listed[block], o.rows.data() + count);
     count += listed[block];
