@@ -6,7 +6,7 @@
 #include <array>
 #include <cstring>
 
-#include "impl_cpu/coherence/same_bits.hpp"
+#include "harness/interface/same_bits.hpp"
 
 namespace octocell::cpu::coherence {
 namespace {

@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "harness/interface/flags.hpp"
-#include "impl_cpu/coherence/same_bits.hpp"
+#include "harness/interface/same_bits.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 #include "impl_cpu/pair_sink.hpp"
 

@@ -8,6 +8,7 @@
 
 #include "harness/interface/flags.hpp"
 #include "harness/interface/predicate.hpp"
+#include "harness/interface/same_bits.hpp"
 
 namespace octocell::cuda_custom::coherence {
 
@@ -96,12 +97,6 @@ OCTOCELL_HD std::uint32_t bits_of(float value) {
   std::uint32_t bits;
   memcpy(&bits, &value, sizeof bits);
   return bits;
-}
-
-/// Bit for bit: -0 is not 0, and a NaN is itself.
-OCTOCELL_HD bool same_bits(const Sphere& a, const Sphere& b) {
-  return ((bits_of(a.x) ^ bits_of(b.x)) | (bits_of(a.y) ^ bits_of(b.y)) |
-          (bits_of(a.z) ^ bits_of(b.z)) | (bits_of(a.r) ^ bits_of(b.r))) == 0;
 }
 
 /// The ball of the growth around where a sphere was, and the point where it is now: as long as they

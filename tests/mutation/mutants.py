@@ -39,6 +39,7 @@ LIKELY = {
     ),
     "harness/interface/grid.hpp": "test_grid test_properties_grid",
     "harness/interface/flags.hpp": "test_flags",
+    "harness/interface/same_bits.hpp": "test_coherence",
     "harness/interface/chapter32.hpp": "test_cell_ids stress_impl_cpu",
     "harness/planner": "test_planner test_grid test_properties_grid",
     "harness/planner/scene_stats.cpp": "test_bounds test_half_shell",
