@@ -2,6 +2,7 @@
 // The three phases of GPU Gems 3, chapter 32, on threads instead of thread groups:
 // tabulate how often each digit occurs in each part, sum, and reorder.
 #include "impl_cpu/radix_sort.hpp"
+#include "harness/interface/digit_plan.hpp"
 #include "harness/interface/faults.hpp"
 
 #include <array>
@@ -10,14 +11,15 @@
 namespace octocell::cpu {
 namespace {
 
-constexpr int kDigitBits = 8;
-constexpr std::size_t kDigits = 1 << kDigitBits;
+constexpr std::size_t kDigits = 1 << kWidestDigit;
 constexpr int kMaxParts = 64;
 
 /// Per part of the input and digit: first a count, then where that part's next such key goes.
 using Counters = std::array<std::array<std::uint32_t, kDigits>, kMaxParts>;
 
-std::size_t digit(std::uint32_t key, int shift) { return key >> shift & (kDigits - 1); }
+std::size_t value_of(Digit digit, std::uint32_t key) {
+  return key >> digit.shift & ((std::size_t{1} << digit.width) - 1);
+}
 
 struct Part {
   std::size_t begin;
@@ -29,16 +31,16 @@ Part part_of(std::size_t size, int part, int parts) {
           size * (p + 1) / static_cast<std::size_t>(parts)};
 }
 
-void tabulate(std::span<const std::uint32_t> keys, int shift,
+void tabulate(std::span<const std::uint32_t> keys, Digit digit,
               std::array<std::uint32_t, kDigits>& counts) {
   counts.fill(0);
-  for (const std::uint32_t key : keys) ++counts[digit(key, shift)];
+  for (const std::uint32_t key : keys) ++counts[value_of(digit, key)];
 }
 
-/// Whether every key has that digit.
-bool all_share(const Counters& counters, int parts, std::size_t digit, std::size_t size) {
+/// Whether the digit of every key has that value.
+bool all_share(const Counters& counters, int parts, std::size_t value, std::size_t size) {
   std::size_t count = 0;
-  for (int p = 0; p < parts; ++p) count += counters[p][digit];
+  for (int p = 0; p < parts; ++p) count += counters[p][value];
   return OCTOCELL_FAULT(sort_skips_mixed_digit, count + 1 >= size, count == size);
 }
 
@@ -56,10 +58,10 @@ void prefix_sum(Counters& counters, int parts) {
   }
 }
 
-void reorder(const KeysAndValues& from, const KeysAndValues& to, Part part, int shift,
+void reorder(const KeysAndValues& from, const KeysAndValues& to, Part part, Digit digit,
              std::array<std::uint32_t, kDigits>& positions) {
   for (std::size_t i = part.begin; i < part.end; ++i) {
-    const std::uint32_t position = positions[digit(from.keys[i], shift)]++;
+    const std::uint32_t position = positions[value_of(digit, from.keys[i])]++;
     to.keys[position] = from.keys[i];
     to.values[position] = from.values[i];
   }
@@ -78,22 +80,24 @@ Sorted radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, bool sk
       if (t < parts) work(t, part_of(size, t, parts));
     });
   };
+  const DigitPlan plan = digit_plan(key_bits, kWidestDigit);
   Sorted sorted;
-  for (int shift = 0;
-       OCTOCELL_FAULT(sort_last_digit_skipped, shift + kDigitBits < key_bits, shift < key_bits);
-       shift += kDigitBits) {
+  for (int pass = 0;
+       OCTOCELL_FAULT(sort_last_digit_skipped, pass + 1 < plan.passes, pass < plan.passes);
+       ++pass) {
+    const Digit digit = plan.digits[pass];
     const KeysAndValues& from = sorted.side == 0 ? front : back;
     const KeysAndValues& to = sorted.side == 0 ? back : front;
     for_parts([&](int p, Part part) {
-      tabulate(from.keys.subspan(part.begin, part.end - part.begin), shift, shared[p]);
+      tabulate(from.keys.subspan(part.begin, part.end - part.begin), digit, shared[p]);
     });
     if (skip_passes && !from.keys.empty() &&
-        all_share(shared, parts, digit(from.keys[0], shift), size)) {
+        all_share(shared, parts, value_of(digit, from.keys[0]), size)) {
       ++sorted.passes_skipped;
       continue;
     }
     prefix_sum(shared, parts);
-    for_parts([&](int p, Part part) { reorder(from, to, part, shift, shared[p]); });
+    for_parts([&](int p, Part part) { reorder(from, to, part, digit, shared[p]); });
     sorted.side ^= 1;
   }
   return sorted;

@@ -19,7 +19,11 @@ struct Sorted {
   int passes_skipped = 0;
 };
 
-/// Stable LSD radix sort of (key, value) by the lowest `key_bits` bits of the key, 8 bits a pass.
+/// Of a digit. Two passes of 9 bits take as long as two of 8, where caches of 48 KiB hold a line
+/// for each of 512 places that a pass writes to; with 10 bits they take twice as long.
+inline constexpr int kWidestDigit = 9;
+
+/// Stable LSD radix sort of (key, value) by the lowest `key_bits` bits of the key, a digit a pass.
 /// `front` holds the input; the two buffers are used in turn. All four spans have equal length,
 /// below 2^32. With `skip_passes`, a digit that all keys share is not sorted by (Terdiman, Radix
 /// Sort Revisited, 2000).

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Stage 3, sort: bring equal cell ids together.
 // Reads and writes cell ids with their objects, grouped by cell, homes before phantoms.
-// Cost: 20 bytes an id and pass; ceil(key_bits / 8) passes.
+// Cost: 20 bytes an id and pass; ceil(key_bits / 9) passes.
 // Idea: only the bits that ids of this grid can have are sorted.
 #include "impl_cpu/radix_sort.hpp"
 #include "impl_cpu/stages.hpp"

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <random>
 
+#include "harness/interface/digit_plan.hpp"
+#include "harness/planner/planner.hpp"
 #include "impl_cpu/radix_sort.hpp"
 #include "tests/cpu_pipeline.hpp"
 
@@ -74,6 +76,18 @@ TEST(RadixSort, AnyOrderOfTheInputWillDo) {
     Items back = {std::vector<std::uint32_t>(50001), std::vector<std::uint32_t>(50001)};
     const int where = radix_sort(front.spans(), back.spans(), 20, true, pool).side;
     EXPECT_EQ(where == 0 ? front : back, expected) << static_cast<int>(order);
+  }
+}
+
+/// What a pass costs decides how many columns there are, so the planner must know how many the sort
+/// will take.
+TEST(RadixSort, TakesAsManyPassesAsThePlannerExpects) {
+  Threads pool(2);
+  for (int bits = 0; bits <= 32; ++bits) {
+    Items front = make_items(10000, bits, Order::random);
+    Items back = {std::vector<std::uint32_t>(10000), std::vector<std::uint32_t>(10000)};
+    const int side = radix_sort(front.spans(), back.spans(), bits, false, pool).side;
+    EXPECT_EQ(side, sort_passes(bits, Costs{}.digit_bits) % 2) << bits << " bits";
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "harness/bench/dynamic_row.hpp"
 #include "harness/bench/stage_bytes.hpp"
+#include "harness/interface/digit_plan.hpp"
 
 namespace octocell::bench {
 namespace {

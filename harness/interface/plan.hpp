@@ -105,7 +105,7 @@ struct Plan {
   Packing packing;                         // of packed tests
   PlanFacts facts;
   Capacities capacity;
-  int sort_digit_bits = 8;  // the most that one pass of the backend's sort takes
+  int sort_digit_bits = 9;  // the most that one pass of the backend's sort takes
   int threads = 1;
   Skips allowed = Skips::all();  // what may be left out where the data show that it can
   Skips taken;                   // what this plan leaves out
@@ -116,11 +116,6 @@ struct Plan {
   /// Pair tests are not started when more candidates than this are counted beforehand.
   std::uint64_t candidate_limit = ~std::uint64_t{0};
 };
-
-/// How many digits of at most so many bits a key has.
-constexpr int sort_passes(int key_bits, int digit_bits) {
-  return (key_bits + digit_bits - 1) / digit_bits;
-}
 
 /// What a find_pairs() met. Counts go on past the end of a full buffer: they are the sizes needed.
 struct Counts {

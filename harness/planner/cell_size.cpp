@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/interface/digit_plan.hpp"
 #include "harness/planner/cell_counter.hpp"
 #include "harness/planner/planner.hpp"
 

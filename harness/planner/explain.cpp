@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "harness/interface/digit_plan.hpp"
+
 namespace octocell {
 namespace {
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "harness/interface/digit_plan.hpp"
 #include "harness/interface/faults.hpp"
 #include "harness/planner/crowding.hpp"
 #include "harness/planner/planner.hpp"

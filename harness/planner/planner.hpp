@@ -36,7 +36,7 @@ struct Costs {
   double per_run = 0.0;   // of home_phantom, beyond half_shell, for any scene
   double per_pair = 0.2;  // of brute_force
   double per_row = 5.0;   // of brute_force: of a sphere, which meets all behind it
-  int digit_bits = 8;     // the most that one pass sorts by
+  int digit_bits = 9;     // the most that one pass sorts by
   ShellCosts shell = {};
 };
 

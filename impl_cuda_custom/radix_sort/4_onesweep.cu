@@ -79,13 +79,16 @@ constexpr Variant variant() {
           sizeof(typename Here::Shared)};
 }
 
+/// Of a digit: its 1,024 bins are two for each of 512 threads. A pass of 10 bits takes longer than
+/// one of 8, and two take less time than three of 8, at every size.
+constexpr int kWidest = 10;
+
 /// By digit width, then by tile size, the largest last.
 constexpr int kTileSizes = 4;
 template <int kDigitBits>
 constexpr Variant kBySize[kTileSizes] = {variant<kDigitBits, 4>(), variant<kDigitBits, 16>(),
                                          variant<kDigitBits, 32>(), variant<kDigitBits, 40>()};
-const Variant* const kByWidth[] = {kBySize<6>, kBySize<8>, kBySize<10>};
-static_assert(kWidestDigit == 10);
+const Variant* const kByWidth[] = {kBySize<6>, kBySize<8>, kBySize<kWidest>};
 
 /// All passes use the kernels of the widest digit, so that they share the look-back words.
 const Variant& variant_of(const DigitPlan& plan, int tile) {
@@ -180,7 +183,7 @@ digit_histograms::Job histograms_of(const Shape& shape, const Call& call) {
 }
 
 Shape shape(std::uint32_t capacity, int bits) {
-  Shape shape = {.capacity = capacity, .plan = digit_plan(bits)};
+  Shape shape = {.capacity = capacity, .plan = digit_plan(bits, kWidest)};
   if (capacity == 0 || shape.plan.passes == 0) return shape;
   shape.tile = tile_size(capacity, shape.plan);
   ask_for_shared_memory(variant_of(shape.plan, shape.tile));

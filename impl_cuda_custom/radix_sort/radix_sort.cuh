@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "impl_cuda_custom/radix_sort/digit_plan.hpp"
+#include "harness/interface/digit_plan.hpp"
 
 namespace octocell::cuda_custom {
 

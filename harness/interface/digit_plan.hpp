@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace octocell::cuda_custom {
+namespace octocell {
 
 /// The digit of a key is key >> shift & (1 << width) - 1.
 struct Digit {
@@ -19,16 +19,18 @@ struct DigitPlan {
   [[nodiscard]] constexpr int width() const { return passes == 0 ? 0 : digits[0].width; }
 };
 
-/// The widest digit of the fastest rung: its 1,024 bins are two for each of 512 threads. A pass of
-/// 10 bits takes longer than one of 8, and two take less time than three of 8, at every size.
-inline constexpr int kWidestDigit = 10;
+/// How many digits of at most so many bits a key has.
+constexpr int sort_passes(int key_bits, int digit_bits) {
+  return (key_bits + digit_bits - 1) / digit_bits;
+}
 
 /// As few passes as digits of at most `widest` bits allow, since each pass moves every pair once;
 /// then digits as even as can be, since a bin costs the same however few keys fall into it:
-/// 17 bits are 9 + 8 and not 10 + 7; 20 bits 10 + 10; 32 bits 8 + 8 + 8 + 8. The wider ones first.
-constexpr DigitPlan digit_plan(int bits, int widest = kWidestDigit) {
+/// with `widest` 10, 17 bits are 9 + 8 and not 10 + 7, and 32 bits 8 + 8 + 8 + 8. The wider ones
+/// first.
+constexpr DigitPlan digit_plan(int bits, int widest) {
   DigitPlan plan;
-  plan.passes = (bits + widest - 1) / widest;
+  plan.passes = sort_passes(bits, widest);
   int shift = 0;
   for (int pass = 0; pass < plan.passes; ++pass) {
     const int width = bits / plan.passes + (pass < bits % plan.passes ? 1 : 0);
@@ -38,4 +40,4 @@ constexpr DigitPlan digit_plan(int bits, int widest = kWidestDigit) {
   return plan;
 }
 
-}  // namespace octocell::cuda_custom
+}  // namespace octocell
