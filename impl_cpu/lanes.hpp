@@ -29,6 +29,11 @@ template <PairTest test>
 using NumberOf = std::conditional_t<is_packed(test), std::uint16_t, float>;
 template <PairTest test>
 using FieldsOf = Fields<NumberOf<test>>;
+/// Where the radius of sphere k is.
+template <PairTest test>
+constexpr std::uint64_t place_of_radius(std::uint64_t k) {
+  return has_one_radius(test) ? 0 : k;
+}
 
 /// One bit a lane, the first lowest.
 using LaneBits = std::uint16_t;
@@ -67,21 +72,28 @@ inline void list_values(LaneBits bits, const std::uint32_t* from, std::uint32_t*
 #endif
 }
 
-/// The four fields of spheres side by side.
+/// Three fields of spheres side by side.
 template <typename V>
-struct SphereLanes {
-  V x, y, z, r;
+struct CentreLanes {
+  V x, y, z;
   template <typename Number>
-  [[gnu::always_inline]] SphereLanes(const Fields<Number>& of, std::uint64_t at)
+  [[gnu::always_inline]] CentreLanes(const Fields<Number>& of, std::uint64_t at)
       : x(of.x + at, stdx::element_aligned),
         y(of.y + at, stdx::element_aligned),
-        z(of.z + at, stdx::element_aligned),
-        r(of.r + at, stdx::element_aligned) {}
+        z(of.z + at, stdx::element_aligned) {}
+};
+/// All four.
+template <typename V>
+struct SphereLanes : CentreLanes<V> {
+  V r;
+  template <typename Number>
+  [[gnu::always_inline]] SphereLanes(const Fields<Number>& of, std::uint64_t at)
+      : CentreLanes<V>(of, at), r(of.r + at, stdx::element_aligned) {}
 };
 
 /// D, as band_distance2().
 template <typename V, typename Number>
-[[gnu::always_inline]] inline V distance2(const SphereLanes<V>& lanes, const Fields<Number>& ones,
+[[gnu::always_inline]] inline V distance2(const CentreLanes<V>& lanes, const Fields<Number>& ones,
                                           std::uint64_t k) {
   const V dx = lanes.x - static_cast<typename V::value_type>(ones.x[k]);
   const V dy = lanes.y - static_cast<typename V::value_type>(ones.y[k]);
@@ -114,7 +126,7 @@ template <std::uint32_t count>
 class Lanes<PairTest::band_equal, count> {
  public:
   [[gnu::always_inline]] Lanes(const Fields<float>& of, std::uint64_t at)
-      : lanes_(of, at), reach2_((of.r[at] + of.r[at]) * (of.r[at] + of.r[at])) {}
+      : lanes_(of, at), reach2_((of.r[0] + of.r[0]) * (of.r[0] + of.r[0])) {}
 
   [[nodiscard, gnu::always_inline]] LaneBits may_overlap(const Fields<float>& ones,
                                                          std::uint64_t k) const {
@@ -122,7 +134,7 @@ class Lanes<PairTest::band_equal, count> {
   }
 
  private:
-  SphereLanes<Vector<float, count>> lanes_;
+  CentreLanes<Vector<float, count>> lanes_;
   Vector<float, count> reach2_;
 };
 

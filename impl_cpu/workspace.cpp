@@ -10,8 +10,9 @@ void Workspace::allocate() {
   for (IdArrays& side : ids) side.allocate(room.ids);
   if (plan.rule == Rule::chapter32) control_bits.allocate(spheres);
   if (plan.method == Method::half_shell) {
-    ordered.allocate(spheres, is_packed(plan.test));
-    rows_of_block.resize(spheres / half_shell::kIndexedPerBlock + 1);
+    const half_shell::IndexBlocks blocks(spheres, plan.levels);
+    ordered.allocate(spheres, plan.test, blocks.count * blocks.rows_of_each);
+    rows_of_block.resize(blocks.count);
   } else {
     cells.allocate(room.cells);
     crowded_cells.allocate(room.ids / kTileSpheres + 1);

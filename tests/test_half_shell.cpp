@@ -152,7 +152,8 @@ TEST(HalfShellColumns, AreWhatTheCellFormulaSays) {
 
 /// Rows of 32: one begins with sphere 16384, as a block of stage 4 does.
 TEST(HalfShellRows, MayBeginWhereABlockDoes) {
-  static_assert(half_shell::kIndexedPerBlock % 32 == 0 && half_shell::kIndexedPerBlock < 32768);
+  static_assert(half_shell::IndexBlocks::kSpheres % 32 == 0 &&
+                half_shell::IndexBlocks::kSpheres < 32768);
   const Scene scene = generate("lattice:n=32768,shuffle=1");
   const PairDigest truth = exact_digest(scene.view());
   for (const int threads : {1, 3}) {

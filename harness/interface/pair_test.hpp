@@ -57,6 +57,9 @@ OCTOCELL_HD constexpr bool is_packed(PairTest t) {
   return t == PairTest::f16 || t == PairTest::q16 || t == PairTest::q16_exact;
 }
 
+/// It compares with one number, so it needs the radius of no sphere but one.
+OCTOCELL_HD constexpr bool has_one_radius(PairTest t) { return t == PairTest::band_equal; }
+
 /// The band of a test with one.
 OCTOCELL_HD constexpr Band band_of(PairTest t) {
   return t == PairTest::band_safe ? Band::safe : Band::fast;

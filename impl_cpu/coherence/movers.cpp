@@ -114,7 +114,7 @@ void Movers::take_out_of_order(Workspace& whole) {
 
 /// Stages 2 to 4 know the movers by their number among themselves.
 void Movers::name_by_id() {
-  Buffer<std::uint32_t>& names = moved_.ordered.sphere;
+  Object* const names = moved_.ids[moved_.current].objects.data();
   for (std::uint64_t k = 0; k < count_; ++k) names[k] = movers_[names[k]];
 }
 

@@ -51,6 +51,8 @@ void NearPairs::allocate(const Workspace& whole) {
   const SkinCells& cells = whole.plan.skin;
   are_known_ = false;
   if (cells.growth == 0.0F) return;
+  places_.resize(count);
+  std::iota(places_.begin(), places_.end(), 0U);
   for (Buffer<Sphere>* spheres : {&spheres_, &then_, &now_}) spheres->allocate(count);
   grown_.plan = whole.plan;
   grown_.plan.levels = cells.levels;
@@ -82,9 +84,7 @@ void NearPairs::grow(const Workspace& whole, float half_skin) {
 }
 
 bool NearPairs::find(Workspace& whole) {
-  const std::uint64_t count = whole.scene.spheres.size();
-  std::uint32_t* const numbers = grown_.ordered.sphere.data();
-  std::iota(numbers, numbers + count, 0U);
+  grown_.ordered.sphere = places_.data();
   put_flags_in_order(whole.scene.flags);
   cpu::pair_tests(grown_);
   const bool complete = grown_.pairs.complete() && grown_.doubts.complete();

@@ -51,10 +51,11 @@ class NearPairs {
   bool are_known_ = false;
   bool imply_facts_ = false;
   float half_skin_ = 0.0F;
-  Buffer<Sphere> spheres_;    // grown, but for the static ones
-  Workspace grown_;           // its pairs are numbers in the order of the columns: neighbours in
-                              // space are neighbours in memory
-  std::vector<Flags> flags_;  // in that order, as they were when the list was made
+  Buffer<Sphere> spheres_;  // grown, but for the static ones
+  Workspace grown_;         // its pairs are numbers in the order of the columns: neighbours in
+                            // space are neighbours in memory
+  std::vector<std::uint32_t> places_;   // 0, 1, 2 ...: what pairs are told by
+  std::vector<Flags> flags_;            // in that order, as they were when the list was made
   std::vector<std::uint32_t> movable_;  // where there are flags: the places in that order of those
                                         // that are not static
   std::vector<Object> movable_ids_;     // and their numbers in the scene

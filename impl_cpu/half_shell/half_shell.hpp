@@ -9,8 +9,16 @@ namespace octocell::cpu::half_shell {
 /// Stage 2: the id of each sphere's column.
 void cell_ids(Workspace& w);
 
-/// Stage 4 works on blocks of so many.
-inline constexpr std::uint64_t kIndexedPerBlock = 1 << 14;
+/// Stage 4: how its blocks of spheres leave room for each other in the list of rows. Each may meet
+/// as many rows as it has spheres, or as there are: seldom many, and memory that is not touched
+/// need not be cleared.
+struct IndexBlocks {
+  static constexpr std::uint64_t kSpheres = 1 << 14;
+  IndexBlocks(std::uint64_t spheres, const Levels& levels);
+
+  std::uint64_t count;
+  std::uint64_t rows_of_each;
+};
 
 /// Stage 4: the spheres in the order of their columns, and where each row begins.
 void cell_index(Workspace& w);

@@ -64,11 +64,11 @@ class Hits {
     for (std::uint32_t k = 0; k < count_; ++k) {
       const auto sphere = static_cast<std::uint32_t>(spheres_[k]);
       const auto begin = static_cast<std::uint32_t>(spheres_[k] >> 32);
-      const Sphere other = one_by_one_.at(sphere);
+      const Sphere other = one_by_one_.at<test>(sphere);
       const std::uint32_t other_id = one_by_one_.sphere[sphere];
       for_each_lane(lanes_[k], [&](std::uint32_t lane) {
         const std::uint32_t i = which_in_lanes_(begin + lane);
-        sink_.take<test>(in_lanes_.at(i), in_lanes_.sphere[i], other, other_id);
+        sink_.take<test>(in_lanes_.at<test>(i), in_lanes_.sphere[i], other, other_id);
       });
     }
     count_ = 0;

@@ -20,26 +20,26 @@ struct OrderedSpheres {
   static constexpr std::uint64_t kMargin = 32;  // vectors may reach past the last sphere
 
   const std::uint32_t* column_ids = nullptr;  // [spheres + kMargin], sorted; then the greatest
-  Buffer<float> x, y, z, r;                   // [spheres + kMargin]; r: stored radii
+  const std::uint32_t* sphere = nullptr;      // [spheres]: their ids
+  Buffer<float> x, y, z;                      // [spheres + kMargin]
+  Buffer<float> r;                            // the same: stored radii; [1] where all are one
   Buffer<std::uint16_t> packed[4];            // the same in 16 bits; packed tests only
-  Buffer<std::uint32_t> sphere;               // [spheres]: their ids
-  Buffer<Row> rows;                           // [spheres + 1]; one behind the last ends it
+  Buffer<Row> rows;                           // one behind the last ends it
   std::uint64_t row_count = 0;
   std::uint32_t level_rows[kMaxLevels + 1] = {};  // level l has rows [l] to [l + 1]
 
-  void allocate(std::uint64_t count, bool also_packed) {
-    for (Buffer<float>* field : {&x, &y, &z, &r}) field->allocate(count + kMargin);
-    for (auto& field : packed) field.allocate(also_packed ? count + kMargin : 0);
-    sphere.allocate(count);
-    rows.allocate(count + 1);
+  void allocate(std::uint64_t count, PairTest test, std::uint64_t most_rows) {
+    for (Buffer<float>* field : {&x, &y, &z}) field->allocate(count + kMargin);
+    r.allocate(has_one_radius(test) ? 1 : count + kMargin);
+    for (auto& field : packed) field.allocate(is_packed(test) ? count + kMargin : 0);
+    rows.allocate(most_rows + 1);
   }
   template <PairTest test>
-  void put(std::uint64_t k, const Sphere& s, std::uint32_t id, const Packing& packing) {
+  void put(std::uint64_t k, const Sphere& s, const Packing& packing) {
     x[k] = s.x;
     y[k] = s.y;
     z[k] = s.z;
-    r[k] = stored_radius<test>(s.r);
-    sphere[k] = id;
+    if (place_of_radius<test>(k) == k) r[k] = stored_radius<test>(s.r);
     if constexpr (!is_packed(test)) return;
     const PackedSphere small = pack<test>(s, packing);
     packed[0][k] = small.x;
@@ -49,11 +49,8 @@ struct OrderedSpheres {
   }
   /// What is read behind the last sphere must be defined, and is made nothing of.
   void pad(std::uint64_t count) {
-    for (std::uint64_t k = count; k < count + kMargin; ++k) x[k] = y[k] = z[k] = r[k] = 0.0F;
-    for (auto& field : packed) {
-      if (field.capacity() >= count + kMargin)
-        std::fill_n(&field[count], kMargin, std::uint16_t{0});
-    }
+    for (Buffer<float>* field : {&x, &y, &z, &r}) pad(*field, count);
+    for (auto& field : packed) pad(field, count);
   }
 
   /// As the test reads them.
@@ -65,7 +62,16 @@ struct OrderedSpheres {
       return {x.data(), y.data(), z.data(), r.data()};
     }
   }
-  [[nodiscard]] Sphere at(std::uint64_t k) const { return {x[k], y[k], z[k], r[k]}; }
+  template <PairTest test>
+  [[nodiscard]] Sphere at(std::uint64_t k) const {
+    return {x[k], y[k], z[k], r[place_of_radius<test>(k)]};
+  }
+
+ private:
+  template <typename Number>
+  static void pad(const Buffer<Number>& field, std::uint64_t count) {
+    if (field.capacity() >= count + kMargin) std::fill_n(&field[count], kMargin, Number{0});
+  }
 };
 
 }  // namespace octocell::cpu

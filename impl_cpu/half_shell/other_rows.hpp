@@ -125,7 +125,7 @@ class OtherRows {
   }
 
   void visit_rows(std::uint32_t sphere, std::uint32_t column, Adjacent& at) {
-    const Box box = box_of(few_.at(sphere), column);
+    const Box box = box_of(few_.at<test>(sphere), column);
     for_each_lane(box.rows & at.exist, [&](std::uint32_t k) {
       const std::uint32_t first_id = at.first_id[k];
       if (box.first_column > 0) {

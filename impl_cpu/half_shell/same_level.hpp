@@ -224,7 +224,7 @@ class SameLevel {
       x[lane] = all.x[k];
       y[lane] = all.y[k];
       z[lane] = all.z[k];
-      r[lane] = all.r[k];
+      r[lane] = all.r[place_of_radius<test>(k)];
     }
     return Neighbours({x, y, z, r}, 0);
   }
@@ -255,6 +255,7 @@ class SameLevel {
   void list_ones(const Strip& strip, Run run) {
     ones_size_ = 0;
     for (std::uint32_t k = run.begin; k < run.end; k += kLanes) {
+      __builtin_prefetch(&o_.x[k]);  // is read next, here and there
       const LaneBits found = in_strip(strip, k) & first_bits(run.end - k);
       list_places(found, k, ones_ + ones_size_);
       list_values(found, ids_ + k, ones_ids_ + ones_size_);
