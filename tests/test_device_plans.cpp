@@ -10,8 +10,8 @@
 namespace octocell {
 namespace {
 
-Plan plan_for(const char* spec, Skips forced = {}) {
-  const BackendInfo& device = backend_named("impl_cuda_custom");
+Plan plan_for(const char* spec, Skips forced = {}, const char* backend = "impl_cuda_custom") {
+  const BackendInfo& device = backend_named(backend);
   return make_plan(measure(generate(spec).view()), {.method = {},
                                                     .known = device.skips,
                                                     .allowed = device.skips,
@@ -25,6 +25,20 @@ TEST(DevicePlans, TakeTheMethodOfFewKernelsWhereSpheresAreFew) {
                            "poly:n=100000,ratio=1e6", "cluster:n=100000"}) {
     EXPECT_EQ(plan_for(spec).method, Method::half_shell) << spec;
   }
+}
+
+/// Its sort allocates and waits, so all pairs of a few are tested sooner; its home_phantom lists
+/// the cells of a giant one by one.
+TEST(DevicePlans, OfThrustFollowItsOwnTimes) {
+  const auto method_for = [](const char* spec) {
+    return plan_for(spec, {}, "impl_thrust_cuda").method;
+  };
+  EXPECT_EQ(method_for("gas:n=100"), Method::brute_force);
+  EXPECT_EQ(method_for("gas:n=1000"), Method::brute_force);
+  EXPECT_EQ(method_for("gas:n=10000"), Method::home_phantom);
+  EXPECT_EQ(method_for("gas:n=100000"), Method::home_phantom);
+  EXPECT_EQ(method_for("lattice:n=100000"), Method::half_shell);
+  EXPECT_EQ(method_for("giant:n=100000"), Method::half_shell);
 }
 
 TEST(DevicePlans, DoNotCountEqualRadiiForASkip) {

@@ -14,15 +14,19 @@ namespace {
 constexpr double kStep = 1.189207115002721;  // 2^(1/4)
 constexpr int kMaxSteps = 160;
 
+/// Of a sphere of that radius, wherever it lies: the cells that it is expected to meet.
+double ids_of_one(const Grid& grid, double radius) {
+  double ids = 1.0;
+  for (const std::uint32_t along_axis : grid.cell_count) {
+    ids *= std::min(1.0 + 2.0 * radius / grid.cell_side, static_cast<double>(along_axis));
+  }
+  return ids;
+}
+
 double expected_ids(const SceneStats& stats, const Grid& grid) {
   double ids = 0.0;
   for (const RadiusClass& c : stats.radii) {
-    double cells = 1.0;
-    for (const std::uint32_t along_axis : grid.cell_count) {
-      cells *=
-          std::min(1.0 + 2.0 * c.mean_radius() / grid.cell_side, static_cast<double>(along_axis));
-    }
-    ids += static_cast<double>(c.count) * cells;
+    ids += static_cast<double>(c.count) * ids_of_one(grid, c.mean_radius());
   }
   return ids;
 }
@@ -94,7 +98,8 @@ WorkEstimate estimate_work(const SceneStats& stats, const Grid& grid, const Cost
   work.candidates = std::max(uniform, home_pairs_by_sample(stats, grid) * spread * spread);
   const double passes = sort_passes(grid.key_bits, costs.digit_bits);
   work.cost_ns = work.ids * (costs.per_id + costs.per_id_and_pass * passes) +
-                 work.candidates * costs.per_candidate;
+                 work.candidates * costs.per_candidate +
+                 ids_of_one(grid, static_cast<double>(stats.facts.r_max)) * costs.per_id_of_one;
   return work;
 }
 
@@ -117,13 +122,14 @@ Grid cheapest_grid(const SceneStats& stats, const Costs& costs) {
 
 double estimate_cost(const SceneStats& stats, const Plan& plan, const Costs& costs) {
   if (plan.method == Method::half_shell) {
-    return estimate_cost(stats, plan.levels, plan.key_bits, costs);
+    return costs.per_grid + estimate_cost(stats, plan.levels, plan.key_bits, costs);
   }
   if (plan.method == Method::home_phantom) {
     const WorkEstimate work = estimate_work(stats, plan.grid, costs);
     const int more_passes = sort_passes(plan.key_bits, costs.digit_bits) -
                             sort_passes(plan.grid.key_bits, costs.digit_bits);
-    return costs.per_run + work.cost_ns + work.ids * more_passes * costs.per_id_and_pass;
+    return costs.per_grid + costs.per_run + work.cost_ns +
+           work.ids * more_passes * costs.per_id_and_pass;
   }
   const auto count = static_cast<double>(stats.facts.sphere_count);
   return count * count / 2.0 * costs.per_pair + count * costs.per_row;

@@ -140,7 +140,8 @@ Skips taken_by(const Plan& plan) {
   take_if(plan.method == Method::half_shell, Skip::phantoms);
   take_if(plan.levels.count > 1, Skip::wide_cells);
   take_if(is_flat(plan), Skip::layers);
-  take_if(plan.method != Method::brute_force && plan.key_bits < kIdBits, Skip::key_bits);
+  const bool has_ids = plan.method != Method::brute_force && plan.facts.sphere_count > 0;
+  take_if(has_ids && plan.key_bits < kIdBits, Skip::key_bits);
   take_if(plan.test == PairTest::band_fast || plan.test == PairTest::band_equal, Skip::safe_band);
   take_if(plan.test == PairTest::band_equal, Skip::equal_radii);
   take_if(plan.predicate == Predicate::exact && !has_doubts(plan.test), Skip::doubts);

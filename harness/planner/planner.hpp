@@ -33,10 +33,12 @@ struct Costs {
   double per_id = 20.0;          // to make it, and to look at it in stages 4 and 5
   double per_id_and_pass = 1.5;  // to sort it by one digit
   double per_candidate = 0.4;
-  double per_run = 0.0;   // of home_phantom, beyond half_shell, for any scene
-  double per_pair = 0.2;  // of brute_force
-  double per_row = 5.0;   // of brute_force: of a sphere, which meets all behind it
-  int digit_bits = 9;     // the most that one pass sorts by
+  double per_id_of_one = 0.0;  // of the sphere with the most ids, where one thread makes them all
+  double per_grid = 0.0;       // of either method with a grid, for any scene
+  double per_run = 0.0;        // of home_phantom, beyond half_shell, for any scene
+  double per_pair = 0.2;       // of brute_force
+  double per_row = 5.0;        // of brute_force: of a sphere, which meets all behind it
+  int digit_bits = 9;          // the most that one pass sorts by
   ShellCosts shell = {};
 };
 

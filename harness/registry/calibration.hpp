@@ -21,13 +21,15 @@ struct Calibration {
 /// Costs as they would be had they been fitted here.
 constexpr Costs calibrated(Costs costs, const Calibration& factors) {
   costs.per_id *= factors.home_phantom;
+  costs.per_id_and_pass *= factors.home_phantom;
   costs.per_candidate *= factors.home_phantom;
+  costs.per_id_of_one *= factors.home_phantom;
   costs.per_run *= factors.home_phantom;
   costs.per_pair *= factors.brute_force;
   costs.per_row *= factors.brute_force;
   ShellCosts& shell = costs.shell;
   for (double* cost : {&shell.per_sphere, &shell.per_row, &shell.per_window, &shell.per_candidate,
-                       &shell.per_probe, &shell.per_id, &shell.per_wrapped}) {
+                       &shell.per_probe, &shell.per_id, &shell.per_pass, &shell.per_wrapped}) {
     *cost *= factors.half_shell;
   }
   return costs;
