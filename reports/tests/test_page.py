@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import re
 import shutil
@@ -66,6 +67,19 @@ def test_the_page_is_complete_without_its_script(built):
     assert "<button" not in html and 'type="search"' not in html  # made by the script alone
     for text in ("Time against size, warm", "时间与规模，热运行", "lowest to highest round"):
         assert text in html
+
+
+def test_names_of_scenes_do_not_run_into_each_other():
+    names = ("poly(ratio=1e6)", "shifted(offset=1e7)", "lattice", "two_clusters_far_apart")
+    groups = [group(name, 1000) for name in names]
+    result = parse(synthetic.document(groups, [row(scene=name) for name in names]))
+    figure = plots.correctness.draw(result, style.looks(result))
+    figure.canvas.draw()
+    headings = [text for text in figure.axes[0].texts if text.get_weight() == "bold"]
+    assert [text.get_text().replace("\n", "") for text in headings] == list(names)
+    boxes = [text.get_window_extent() for text in headings]
+    assert all(left.x1 < right.x0 for left, right in itertools.pairwise(boxes))
+    plt.close(figure)
 
 
 def test_speed_ups_have_a_table_for_every_run(every_case):

@@ -83,7 +83,8 @@ def _matrix(
         size = words.NONE if group.unavailable is not None else words.size(group.n)
         ax.text(x + 0.5, -0.12, size, ha="center", va="bottom", fontsize=11)
         if x == 0 or band[x - 1].scene != group.scene:
-            ax.text(x + 0.06, -0.72, group.scene, va="bottom", fontsize=12.5, weight="bold")
+            sizes = sum(other.scene == group.scene for other in band)
+            ax.text(x + 0.06, -0.72, va="bottom", weight="bold", **_heading(group.scene, sizes))
             ax.plot([x, x], [-1.3, len(impls)], color=style.INK, linewidth=1.4, clip_on=False)
     ax.set_xlim(0, columns)
     ax.set_ylim(len(impls), -1.3)
@@ -93,6 +94,16 @@ def _matrix(
     ax.grid(visible=False)
     for spine in ax.spines.values():
         spine.set_visible(False)
+
+
+def _heading(scene: str, columns: int) -> dict[str, object]:
+    """The scene's name and its size of type: on a second line, and smaller, where it must be."""
+    if len(scene) <= 7 * columns:
+        return {"s": scene, "fontsize": 12.5}
+    name, bracket, parameters = scene.partition("(")
+    lines = [name, bracket + parameters] if bracket and columns == 1 else [scene]
+    size = min(10.0, 90.0 * columns / max(map(len, lines)))
+    return {"s": "\n".join(lines), "fontsize": size, "linespacing": 1.0}
 
 
 def _cell(ax: Axes, x: int, y: int, cell: Cell) -> None:
