@@ -86,6 +86,19 @@ void add_motion(std::vector<Group>& groups, Motion motion, std::uint64_t n, int 
   groups.back().frames = frames;
 }
 
+/// The same at a million, to see what a frame takes over from the last.
+void add_frames(std::vector<Group>& groups, Motion motion, int frames, int rounds) {
+  add_motion(groups, motion, 1'000'000, frames, rounds);
+  groups.back().rows = Rows::frames;
+}
+
+/// And with nine of ten standing still, which their flags tell.
+void add_static(std::vector<Group>& groups, Motion motion, int frames, int rounds) {
+  add_frames(groups, motion, frames, rounds);
+  groups.back().scene += "_static";
+  groups.back().argument += ",static=0.9";
+}
+
 /// Frames that set-up made from a real trajectory, or did not.
 Group trajectory(const std::string& folder, int rounds) {
   Group group = {.scene = "adk_trajectory",
@@ -156,16 +169,24 @@ std::vector<Group> gpu_groups() {
   }
   add_motion(groups, Motion::brownian, 1'000'000, 12, 3);
   groups.back().rows = Rows::headline;
-  for (const Motion motion : {Motion::still, Motion::slow}) {
-    add_motion(groups, motion, 1'000'000, 12, 3);
-    groups.back().rows = Rows::frames;
+  for (const Motion motion : {Motion::still, Motion::slow}) add_frames(groups, motion, 12, 3);
+  for (const Motion motion : {Motion::brownian, Motion::slow}) add_static(groups, motion, 12, 3);
+  return groups;
+}
+
+/// Time of a frame that may take over from the last, and with flags beside the same without.
+std::vector<Group> frames_groups() {
+  constexpr int kFrames = 44;  // enough to see lists of near pairs come and go
+  constexpr int kRounds = 5;
+  std::vector<Group> groups;
+  for (const Motion motion :
+       {Motion::still, Motion::slow, Motion::few, Motion::brownian, Motion::gravity}) {
+    add_frames(groups, motion, kFrames, kRounds);
   }
-  for (const Motion motion : {Motion::brownian, Motion::slow}) {
-    add_motion(groups, motion, 1'000'000, 12, 3);
-    groups.back().rows = Rows::frames;
-    groups.back().scene += "_static";
-    groups.back().argument += ",static=0.9";
-  }
+  add_static(groups, Motion::brownian, kFrames, kRounds);
+  groups.push_back(groups.back());
+  groups.back().scene += "_untold";
+  groups.back().untold_flags = true;
   return groups;
 }
 
@@ -256,23 +277,22 @@ Footage footage_of(const Group& group) {
     return {
         scene.spec, {std::move(scene.spheres)}, std::move(scene.flags), std::move(scene.unrounded)};
   }
-  return {fmt::format("{} {} frames={}", scene.spec,
-                      kMotionNames[static_cast<std::size_t>(*group.motion)], group.frames),
-          move(scene.spheres, *group.motion, group.frames, kMotionSeed, scene.flags),
-          std::move(scene.flags), std::move(scene.unrounded)};
+  Frames frames = move(scene.spheres, *group.motion, group.frames, kMotionSeed, scene.flags);
+  if (group.untold_flags) scene.flags.clear();
+  return {fmt::format("{} {} frames={}{}", scene.spec,
+                      kMotionNames[static_cast<std::size_t>(*group.motion)], group.frames,
+                      group.untold_flags ? " without flags" : ""),
+          std::move(frames), std::move(scene.flags), std::move(scene.unrounded)};
 }
 
 std::vector<Group> choose_groups(const BenchOptions& options) {
   const std::map<std::string_view, std::vector<Group> (*)()> presets = {
-      {"quick", quick_groups},
-      {"full", full_groups},
-      {"gpu", gpu_groups},
-      {"ablation", ablation_groups},
-      {"error", error_groups}};
+      {"quick", quick_groups},   {"full", full_groups},         {"gpu", gpu_groups},
+      {"frames", frames_groups}, {"ablation", ablation_groups}, {"error", error_groups}};
   const auto preset = presets.find(options.preset);
   if (preset == presets.end()) {
-    throw InputError(fmt::format("unknown preset '{}'; known: quick, full, gpu, ablation, error",
-                                 options.preset));
+    throw InputError(fmt::format(
+        "unknown preset '{}'; known: quick, full, gpu, frames, ablation, error", options.preset));
   }
   std::vector<Group> groups = custom_groups(options);
   if (groups.empty()) groups = preset->second();

@@ -19,7 +19,7 @@ enum class Rows : std::uint8_t {
   fast,            // each backend's plan and home_phantom, and each library's fastest
   usual,           // all methods and rules, and the broad phases that are meant for many spheres
   every,           // those that look at nearly all pairs, too
-  frames,          // the plan on a GPU, and the same with every frame searched anew
+  frames,          // plans that take over from the last frame, and the same searched anew
   ablation,        // the plan with and without each skip, and each method that can be forced
   precision,       // our plans with each predicate
   error,           // the same, each library's fastest, and those that can lose pairs
@@ -31,6 +31,7 @@ struct Group {
   std::uint64_t n = 0;                    // spheres
   std::string argument;                   // for load_or_generate()
   std::optional<std::string> flags = {};  // the side file that goes with it
+  bool untold_flags = false;              // they say who moves, but no finder is told
   std::string unavailable = {};           // why a real scene is not there; empty if it is
   std::optional<Motion> motion = {};      // of a group that moves
   std::string trajectory = {};            // or the folder of its frames

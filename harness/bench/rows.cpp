@@ -29,7 +29,8 @@ bool has_time_for(const Implementation& how, Rows rows) {
   };
   const bool is_default = how.planned();
   const bool on_device = how.backend->device;
-  if (rows == Rows::device_default || rows == Rows::frames) return on_device && is_default;
+  if (rows == Rows::device_default) return on_device && is_default;
+  if (rows == Rows::frames) return is_default && how.backend->skips.has(Skip::unchanged);
   if (rows == Rows::ablation) return !how.is_baseline() && !how.exhibit();
   if (rows == Rows::device) return on_device;
   if (rows == Rows::precision) return is_default;

@@ -36,7 +36,7 @@ void add_bench(CLI::App& app, Command& command) {
   sub->add_option("--flags", o->flags, kFlagsHelp);
   sub->add_flag("--round-input", o->round_input, kRoundInputHelp);
   sub->add_option("--preset", o->preset,
-                  "quick (minutes, default), full (an hour), gpu, ablation or error");
+                  "quick (minutes, default), full (an hour), gpu, frames, ablation or error");
   sub->add_option("--backend", o->backend, "A backend, a baseline, or all");
   sub->add_option("--motion", o->motion,
                   fmt::format("Move those scenes: {}", fmt::join(kMotionNames, ", ")));

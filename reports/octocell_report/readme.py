@@ -18,7 +18,16 @@ from functools import cache
 from pathlib import Path
 from statistics import median
 
-from octocell_report import evidence, readme_gpu, readme_promise, readme_sorts, sort, tables, words
+from octocell_report import (
+    evidence,
+    readme_gpu,
+    readme_kinds,
+    readme_promise,
+    readme_sorts,
+    sort,
+    tables,
+    words,
+)
 from octocell_report.fields import ReportError, naming
 from octocell_report.files import read_text, replace_text
 from octocell_report.load import Impl, Place, Result, Row, load
@@ -251,6 +260,10 @@ BLOCKS: dict[str, Callable[[Result], str]] = {
     "machine": machine,
     "gpu_speed": readme_gpu.speed,
     "gpu_stages": readme_gpu.stages,
+    "against": readme_kinds.against,
+    "kinds_cold": readme_kinds.kinds_cold,
+    "kinds_warm": readme_kinds.kinds_warm,
+    "frames": readme_kinds.frames,
 }
 # Of another kind of result, so its marker always names it.
 SORT_BLOCKS: dict[str, Callable[[SortResult], str]] = {"gpu_sorts": readme_sorts.sorts}
