@@ -8,6 +8,7 @@ RESULT ?= reports/out/bench.json
 # How long `make fuzz` runs each of its targets.
 FUZZ_SECONDS ?= 300
 PUBLISHED := reports/results/epyc-zen5-2core/quick.json
+PAGES := README.md docs/speed.md
 # Machine code for the common GPUs from Turing on; the last entry's PTX serves what is newer.
 GPUS ?= 75-real 80-real 86-real 89-real 90
 # ON: `make bundle` packs the build with planted faults instead.
@@ -35,7 +36,7 @@ build: setup ## Build build/octocell and the tests, no more
 
 test: build ## Run all tests
 	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j "$$(nproc)"
-	@$(PYTHON) -m octocell_report readme $(PUBLISHED) README.md --check
+	@for page in $(PAGES); do $(PYTHON) -m octocell_report readme $(PUBLISHED) $$page --check || exit 1; done
 	@$(PYTHON) -m octocell_report promise docs/promise.md --check
 	@OCTOCELL_BIN=$(BUILD)/octocell $(PYTHON) -m pytest -q
 
@@ -86,7 +87,7 @@ report: setup ## Draw plots and the page again from RESULT (default reports/out/
 	@echo "open reports/out/index.html"
 
 readme: setup ## Write the tables of README and docs from the published results
-	@$(PYTHON) -m octocell_report readme $(PUBLISHED) README.md
+	@for page in $(PAGES); do $(PYTHON) -m octocell_report readme $(PUBLISHED) $$page || exit 1; done
 	@$(PYTHON) -m octocell_report promise docs/promise.md
 
 sanitize: setup ## Build and test with ASan + UBSan, then with TSan
