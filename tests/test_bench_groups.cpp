@@ -14,7 +14,11 @@ namespace {
 
 const std::regex kAll("");
 
-std::vector<Group> preset(const char* name) { return choose_groups({.preset = name}); }
+std::vector<Group> preset(const char* name) {
+  BenchOptions options;
+  options.preset = name;
+  return choose_groups(options);
+}
 
 bool same_spheres(const std::vector<Sphere>& a, const std::vector<Sphere>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Sphere)) == 0;
