@@ -7,12 +7,12 @@
 
 #include <algorithm>
 
+#include "harness/interface/faults.hpp"
 #include "harness/interface/flags.hpp"
 #include "harness/planner/scene_stats.hpp"
 #include "impl_cuda_custom/coherence/coherence.cuh"
 #include "impl_cuda_custom/device.cuh"
 #include "impl_cuda_custom/device_runs.cuh"
-#include "impl_cuda_custom/pinned_array.cuh"
 
 namespace octocell::cuda_custom {
 namespace {
@@ -33,6 +33,7 @@ class CudaBackend final : public GridPairFinder {
   CudaBackend() {
     cuda::check(cudaStreamCreateWithFlags(&w_.stream, cudaStreamNonBlocking));
     state_.allocate(1);
+    w_.course_taken.allocate(1);
   }
   CudaBackend(const CudaBackend&) = delete;
   CudaBackend& operator=(const CudaBackend&) = delete;
@@ -151,15 +152,23 @@ class CudaBackend final : public GridPairFinder {
   void bounds() override {
     cuda_custom::bounds(w_);
     w_.course.reset();
-    if (w_.coherent() && coherence_.was_spared_its_search() && !is_recorded()) {
-      w_.course = read_state().course;
-    }
+    if (w_.coherent() && !is_recorded()) w_.course = coherence_.supposed();
+    if (w_.course) opened_.record(w_.stream);
   }
   void cell_ids() override { cuda_custom::cell_ids(w_); }
   void sort() override { cuda_custom::sort(w_); }
   void cell_index() override { cuda_custom::cell_index(w_); }
   void pair_tests() override { cuda_custom::pair_tests(w_); }
   void resolve() override { cuda_custom::resolve(w_); }
+  /// While the device goes on with what was queued, the host hears what it should have queued.
+  bool supposed_wrongly() override {
+    if (!w_.course) return false;
+    opened_.wait();
+    const coherence::Course supposed = *w_.course;
+    w_.course = *w_.course_taken.data();
+    return OCTOCELL_FAULT(cuda_supposed_for_good, false,
+                          *w_.course != supposed && *w_.course != coherence::Course::unchanged);
+  }
 
  private:
   /// Says what is needed before anything is given up for it.
@@ -207,6 +216,7 @@ class CudaBackend final : public GridPairFinder {
 
   Workspace w_;
   PinnedArray<State> state_;  // [1], read from the device
+  cuda::Event opened_;        // behind the first kernel of a frame
   coherence::Coherence coherence_;
   bool flags_broken_ = false;  // the plan is not for flags like these
   CudaDeviceRuns runs_{*this, w_};

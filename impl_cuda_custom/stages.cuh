@@ -16,6 +16,7 @@
 #include "harness/interface/pair.hpp"
 #include "harness/interface/plan.hpp"
 #include "impl_cuda_custom/coherence/rules.hpp"
+#include "impl_cuda_custom/pinned_array.cuh"
 #include "impl_cuda_custom/radix_sort/radix_sort.cuh"
 
 namespace octocell::cuda_custom {
@@ -87,7 +88,7 @@ struct Workspace {
   SceneView scene;  // on the host: words about a sphere are made of it
   cudaStream_t stream = nullptr;
   float growth = 0.0F;  // of each radius in this frame's search, if it has one (see coherence/)
-  std::optional<coherence::Course> course;  // of this frame, where the host has asked for it
+  std::optional<coherence::Course> course;  // of this frame, supposed or known by the host, or not
   std::optional<RadixSort> sorter;          // of the methods that have a grid
   std::optional<RadixSort> grown_sorter;    // the same for grown spheres, where there may be some
 
@@ -106,11 +107,12 @@ struct Workspace {
   cuda::DeviceArray<Pair> pairs;                  // [plan.capacity.pairs]
 
   // Between frames, where they may be of use to each other:
-  cuda::DeviceArray<coherence::Kept> kept;  // [1]
-  cuda::DeviceArray<Sphere> sample;         // [coherence::kSampled] in the last frame
-  cuda::DeviceArray<Sphere> copy;           // [spheres] of the last frame, or of none
-  cuda::DeviceArray<Sphere> searched;       // [spheres] in the last search
-  cuda::DeviceArray<Pair> near_pairs;       // [plan.capacity.pairs] of the last search
+  PinnedArray<coherence::Course> course_taken;  // [1] by the last frame that was opened
+  cuda::DeviceArray<coherence::Kept> kept;      // [1]
+  cuda::DeviceArray<Sphere> sample;             // [coherence::kSampled] in the last frame
+  cuda::DeviceArray<Sphere> copy;               // [spheres] of the last frame, or of none
+  cuda::DeviceArray<Sphere> searched;           // [spheres] in the last search
+  cuda::DeviceArray<Pair> near_pairs;           // [plan.capacity.pairs] of the last search
 
   [[nodiscard]] std::uint64_t sphere_count() const { return scene.spheres.size(); }
   [[nodiscard]] bool brute_force() const { return plan.method == Method::brute_force; }
@@ -133,7 +135,7 @@ struct Workspace {
             .near_room = has_skin ? plan.capacity.pairs : 0};
   }
   [[nodiscard]] bool coherent() const { return allowed().any(); }
-  /// As far as the host knows.
+  /// As far as the host knows, or supposes.
   [[nodiscard]] bool may_take(coherence::Course c) const {
     if (c == coherence::Course::near_pairs && !allowed().near_pairs) return false;
     return !course || *course == c;

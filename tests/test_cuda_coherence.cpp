@@ -96,6 +96,34 @@ TEST_F(FramesOnDevice, ThatMoveSlowlyTestTheNearPairsAndNoOthers) {
   }
 }
 
+/// Frames are supposed to go like the last; those that do not, do what was left out in vain.
+TEST_F(FramesOnDevice, ThatAreSearchedAfterAllHaveTimesOfAllStages) {
+  const Spheres start = generate("gas:n=20000").spheres;
+  const Spheres other(start.rbegin(), start.rend());
+  for (const Motion motion : {Motion::still, Motion::slow}) {
+    const std::unique_ptr<PairFinder> finder = cuda_custom::make_backend();
+    const std::unique_ptr<StageClock> clock = finder->make_clock(Marks::on);
+    finder->upload(plan_scene({start}, moving()), {start});
+    Frames frames = move(start, motion, 12, 1);
+    frames.push_back(other);
+    std::optional<Skip> served_before;
+    std::optional<Skip> served;
+    for (const Spheres& spheres : frames) {
+      finder->update({spheres});
+      finder->find_pairs(*clock);
+      served_before = served;
+      served = finder->counts().served_by;
+      EXPECT_EQ(finder->digest(), digest_of(reference::exact_pairs(spheres)));
+    }
+    EXPECT_EQ(served_before, motion == Motion::still ? Skip::unchanged : Skip::skin);
+    EXPECT_FALSE(served);
+    const StageTimes times = clock->stop();
+    for (std::size_t stage = 0; stage <= index_of(Stage::resolve); ++stage) {
+      EXPECT_TRUE(times.stage_ms[stage]) << kStageNames[stage];
+    }
+  }
+}
+
 TEST_F(FramesOnDevice, ThatFailedAreNoGround) {
   const Spheres start = generate("gas:n=2000").spheres;
   const std::unique_ptr<PairFinder> finder = cuda_custom::make_backend();

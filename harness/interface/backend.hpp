@@ -71,9 +71,37 @@ class GridPairFinder : public PairFinder {
     bounds();
     const bool fused = bounds_with_cell_ids() && runs(Stage::cell_ids);
     if (!fused) clock.mark(Stage::bounds);
+    run_stages(clock, fused ? Stage::bounds : Stage::cell_ids);
+    if (supposed_wrongly()) run_stages(clock, Stage::cell_ids);
+  }
+
+ protected:
+  [[nodiscard]] virtual Method method() const = 0;
+  /// The plan says that there are no pairs; bounds() has then left empty lists.
+  [[nodiscard]] virtual bool nothing_to_find() const = 0;
+  /// True if cell_ids() checks what bounds() would, in its one reading of the spheres.
+  [[nodiscard]] virtual bool bounds_with_cell_ids() const { return false; }
+  /// Asked after bounds(), which may have found, or supposed, that there is nothing to do.
+  [[nodiscard]] virtual bool runs(Stage stage) const {
+    if (nothing_to_find()) return false;
+    const bool is_grids = stage >= Stage::cell_ids && stage <= Stage::cell_index;
+    return !is_grids || method() != Method::brute_force;
+  }
+  virtual void bounds() = 0;
+  virtual void cell_ids() = 0;
+  virtual void sort() = 0;
+  virtual void cell_index() = 0;
+  virtual void pair_tests() = 0;
+  virtual void resolve() = 0;
+  /// Asked at the end. True: a stage was left out that is needed, and runs() knows it by now.
+  virtual bool supposed_wrongly() { return false; }
+
+ private:
+  /// Those after bounds(). `first`: of the stages whose time ends with cell_ids().
+  void run_stages(StageClock& clock, Stage first) {
     if (runs(Stage::cell_ids)) {
       cell_ids();
-      clock.mark(fused ? Stage::bounds : Stage::cell_ids, Stage::cell_ids);
+      clock.mark(first, Stage::cell_ids);
     }
     if (runs(Stage::sort)) {
       sort();
@@ -92,25 +120,6 @@ class GridPairFinder : public PairFinder {
       clock.mark(Stage::resolve);
     }
   }
-
- protected:
-  [[nodiscard]] virtual Method method() const = 0;
-  /// The plan says that there are no pairs; bounds() has then left empty lists.
-  [[nodiscard]] virtual bool nothing_to_find() const = 0;
-  /// True if cell_ids() checks what bounds() would, in its one reading of the spheres.
-  [[nodiscard]] virtual bool bounds_with_cell_ids() const { return false; }
-  /// Asked after bounds(), which may have found that there is nothing to do.
-  [[nodiscard]] virtual bool runs(Stage stage) const {
-    if (nothing_to_find()) return false;
-    const bool is_grids = stage >= Stage::cell_ids && stage <= Stage::cell_index;
-    return !is_grids || method() != Method::brute_force;
-  }
-  virtual void bounds() = 0;
-  virtual void cell_ids() = 0;
-  virtual void sort() = 0;
-  virtual void cell_index() = 0;
-  virtual void pair_tests() = 0;
-  virtual void resolve() = 0;
 };
 
 }  // namespace octocell

@@ -152,7 +152,8 @@ class EventClock final : public StageClock {
     const Event* before = &begin_;
     for (std::size_t m = 0; m < mark_count_; ++m) {
       const Marked& mark = marked_[m];
-      times.stage_ms[index_of(mark.first)] = mark.end.milliseconds_since(*before);
+      std::optional<double>& stage_ms = times.stage_ms[index_of(mark.first)];
+      stage_ms = stage_ms.value_or(0.0) + mark.end.milliseconds_since(*before);
       for (std::size_t s = index_of(mark.first) + 1; s <= index_of(mark.last); ++s) {
         times.fused_into[s] = mark.first;
       }
@@ -172,7 +173,7 @@ class EventClock final : public StageClock {
   Marks marks_;
   Event begin_;
   Event end_;
-  std::array<Marked, kStageCount> marked_;
+  std::array<Marked, 2 * kStageCount> marked_;  // of stages that run twice, too
   std::size_t mark_count_ = 0;
 };
 

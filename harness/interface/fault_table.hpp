@@ -90,7 +90,8 @@
   fault(cuda_reach_short, "a column of the neighbouring rows is missing") \
   fault(cuda_layer_missing, "the row above is met instead of the layer behind") \
   fault(cuda_blocks_missing, "half of the spheres have no thread") \
-  fault(cuda_doubts_in_pairs_counter, "doubts are counted with the pairs")
+  fault(cuda_doubts_in_pairs_counter, "doubts are counted with the pairs") \
+  fault(cuda_supposed_for_good, "a frame takes the course of the last, whatever it finds")
 // clang-format on
 
 namespace octocell::faults {

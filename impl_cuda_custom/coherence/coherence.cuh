@@ -35,8 +35,11 @@ class Coherence {
   /// The same, and how fast spheres move is not known either.
   void reset(Workspace& w);
 
-  /// The last frame was: then this one may be, too.
-  [[nodiscard]] bool was_spared_its_search() const { return last_ != Course::search; }
+  /// The course of the last frame, where it was spared its search: then this one may be, too.
+  [[nodiscard]] std::optional<Course> supposed() const {
+    if (last_ == Course::search) return std::nullopt;
+    return last_;
+  }
 
   /// Grown spheres have more candidates. If those are too many, the frame is to be searched again,
   /// as if there had been none before.

@@ -35,6 +35,7 @@ struct Job {
   std::uint32_t counter_count;
   State* state;
   Kept* kept;
+  Course* taken;  // on the host
 
   /// What the last frame found is all there is.
   [[nodiscard]] __device__ bool is_complete(const State& last) const {
@@ -148,6 +149,7 @@ __device__ void decide(const Job& job, const Trial& trial) {
   const Course course = course_of(trial, __ldcg(&job.kept->found));
   *job.state = opened(job, *job.state, kept, course);
   *job.kept = after(kept, trial, course, job.allowed, job.growth);
+  *job.taken = course;
 }
 
 __global__ void __launch_bounds__(kBlockThreads, kBlocksAtOnce)
@@ -192,7 +194,8 @@ void open_frame(Workspace& w) {
                    .counters = reinterpret_cast<std::uint32_t*>(w.sort_scratch.data()),
                    .counter_count = static_cast<std::uint32_t>(w.sorter_now().zeroed_words()),
                    .state = w.state.data(),
-                   .kept = w.kept.data()};
+                   .kept = w.kept.data(),
+                   .taken = w.course_taken.data()};
   open_frame_kernel<<<std::min(parts_of(count, kPerBlock), kMostBlocks), kBlockThreads, 0,
                       w.stream>>>(job);
   cuda::check_launch();
