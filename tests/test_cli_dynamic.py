@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import signal
+import subprocess
 from pathlib import Path
 
 import numpy as np
@@ -73,3 +75,22 @@ def test_bad_motions_are_refused(refused: Refused) -> None:
     assert "swirl" in refused("bench", "gas:n=9", "--motion", "swirl", "-o", "x.json")
     assert "nowhere" in refused("bench", "--trajectory", "nowhere", "-o", "x.json")
     assert "--frames" in refused("bench", "gas:n=9", "--motion", "gravity", "--frames", "1")
+
+
+def test_ctrl_c_does_not_wait_for_the_exact_pairs_of_all_frames(
+    octocell: Octocell, tmp_path: Path
+) -> None:
+    path = tmp_path / "x.json"
+    film = ("gas:n=50000", "--motion", "slow", "--frames", "400")
+    bench = subprocess.Popen(
+        [str(octocell.path), "bench", *film, "-o", str(path), *map(str, TINY)],
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert bench.stderr is not None
+    assert bench.stderr.readline().startswith("[1/")
+    bench.send_signal(signal.SIGINT)
+    _, after = bench.communicate(timeout=120)
+    assert bench.returncode == 130
+    assert "interrupted" in after and "frame" not in after
+    assert load(path)["groups"] == []

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <random>
 #include <regex>
 
@@ -20,6 +21,8 @@ namespace {
 
 constexpr int kExitWrongAnswer = 1;
 constexpr int kExitInterrupted = 130;
+constexpr const char* kExactPairs = "exact pairs";
+constexpr double kDeviceSeconds = 1e-8;  // a sphere, before a row was seen
 
 std::regex compile_filter(const BenchOptions& options) {
   try {
@@ -54,8 +57,8 @@ struct ActiveRow {
   std::unique_ptr<RowRunner> runner;
 };
 
-/// Every frame, and what is right for it.
-Subject film(const Group& group) {
+/// Every frame, and what is right for it; told before each, `goes_on` may end it early.
+Subject film(const Group& group, const std::function<bool(std::size_t)>& goes_on) {
   Footage footage = footage_of(group);
   Subject subject = {.spec = std::move(footage.spec),
                      .frames = std::move(footage.frames),
@@ -63,6 +66,7 @@ Subject film(const Group& group) {
                      .truth = {},
                      .digests = {}};
   for (const std::vector<Sphere>& spheres : subject.frames) {
+    if (!goes_on(subject.digests.size())) return subject;
     std::vector<Pair> truth = reference::exact_pairs(spheres, subject.flags);
     subject.digests.push_back(digest_of(truth));
     if (subject.digests.size() == 1) subject.truth = std::move(truth);
@@ -159,27 +163,31 @@ class Bench {
   std::vector<Progress::Step> steps() const {
     std::vector<Progress::Step> steps;
     for (const auto& [group, rows] : groups_) {
+      const auto spheres = static_cast<double>(group.n);
+      steps.push_back({kExactPairs, spheres, static_cast<double>(group.frames)});
       for (const RowSpec& row : rows) {
-        steps.push_back({row.how.label(), static_cast<double>(group.n),
+        steps.push_back({row.how.label(), spheres,
                          (2.0 + 2.0 * group.rounds_of(row.how.is_baseline())) * group.frames});
+        if (row.how.backend->device) steps.back().seconds_per_sphere = kDeviceSeconds;
       }
     }
     return steps;
   }
 
   void run_group(const PlannedGroup& planned) {
-    const std::size_t first_step = next_step_;
-    next_step_ += planned.rows.size();
+    const std::size_t film_step = next_step_;
+    next_step_ += 1 + planned.rows.size();
     const Group& group = planned.group;
     if (!group.unavailable.empty()) {
       results_.add_group(describe_missing(group));
       progress_.note(fmt::format("{}: left out: {}", group.scene, group.unavailable));
       return;
     }
-    const Subject subject = film(group);
+    const Subject subject = film_in_sight(group, film_step);
+    if (interrupted()) return;
     std::vector<ActiveRow> rows;
     for (const RowSpec& row : planned.rows) {
-      const std::size_t step = first_step + rows.size();
+      const std::size_t step = film_step + 1 + rows.size();
       rows.push_back({step, make_runner(row, subject, candidate_limit(options_))});
     }
     verify_rows(group, rows);
@@ -191,6 +199,22 @@ class Bench {
       any_wrong_ = any_wrong_ || is_failure(runner);
       results_.add_row(group, runner.row(), runner.result());
     }
+  }
+
+  Subject film_in_sight(const Group& group, std::size_t step) {
+    auto begin = std::chrono::steady_clock::now();
+    const auto learn = [&](std::size_t frames) {
+      progress_.learn(step, seconds_since(begin), static_cast<double>(frames) / group.frames);
+      begin = std::chrono::steady_clock::now();
+    };
+    Subject subject = film(group, [&](std::size_t frame) {
+      learn(frame);
+      progress_.show(step, fmt::format("{} of {} n={}, frame {} of {}", kExactPairs, group.scene,
+                                       group.n, frame + 1, group.frames));
+      return !interrupted();
+    });
+    learn(subject.frames.size());
+    return subject;
   }
 
   void verify_rows(const Group& group, std::vector<ActiveRow>& rows) {

@@ -11,7 +11,6 @@
 namespace octocell::bench {
 namespace {
 
-constexpr double kUnknownSecondsPerSphere = 5e-7;
 constexpr std::chrono::seconds kBetweenLines{3};
 
 std::string in_words(double seconds) {
@@ -34,7 +33,7 @@ double Progress::seconds_left() const {
   for (std::size_t s = 0; s < steps_.size(); ++s) {
     const auto known = seconds_per_sphere_.find(steps_[s].label);
     const double each =
-        known == seconds_per_sphere_.end() ? kUnknownSecondsPerSphere : known->second;
+        known == seconds_per_sphere_.end() ? steps_[s].seconds_per_sphere : known->second;
     seconds += (1.0 - done_[s]) * steps_[s].passes * steps_[s].spheres * each;
   }
   return seconds;

@@ -13,11 +13,12 @@ namespace octocell::bench {
 /// On a terminal one line that is overwritten; elsewhere a line every few seconds.
 class Progress {
  public:
-  /// A step is one row of one group: its check and all its rounds.
+  /// A step is one row of one group, its check and all its rounds; or what is done before them.
   struct Step {
     std::string label;  // of the implementation: what is learnt from one size serves the next
     double spheres;
-    double passes;  // runs that the step will take
+    double passes;                     // runs that the step will take
+    double seconds_per_sphere = 5e-7;  // of one pass: a guess, until a step of that label was seen
   };
   explicit Progress(std::vector<Step> steps);
   ~Progress();
