@@ -63,7 +63,14 @@ def test_the_error_preset_tells_class_and_rounding(octocell: Octocell, tmp_path:
     scenes = "scene:(gas|chain|shifted.offset=1e7.)/"
     which = f"impl_cpu/method:planned/(predicate:(f32|q16_exact)/)?{scenes}"
     octocell.ok(
-        "bench", "--preset", "error", "-o", path, *TINY, "--no-memory", f"--benchmark_filter={which}"
+        "bench",
+        "--preset",
+        "error",
+        "-o",
+        path,
+        *TINY,
+        "--no-memory",
+        f"--benchmark_filter={which}",
     )
     document = load(path)
     classes = [(group["scene"], group["n"], group["scene_class"]) for group in document["groups"]]

@@ -55,7 +55,9 @@ def test_depth_check_tells_the_error(octocell: Octocell, tmp_path: Path) -> None
     alone = octocell.find("gas:n=1", "--depth-check")["depth_error_ulp"]
     assert alone["max"] == 0
     text = octocell.ok("find", "dense:n=2000", "--depth-check").stdout
-    assert re.search(r"^depth error 0\.\d+ ULP median, 0\.\d+ p99, 0\.\d+ max; ", text, re.MULTILINE)
+    assert re.search(
+        r"^depth error 0\.\d+ ULP median, 0\.\d+ p99, 0\.\d+ max; ", text, re.MULTILINE
+    )
 
 
 DEPTH_REFUSALS = {

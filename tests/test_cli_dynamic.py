@@ -25,9 +25,7 @@ def dynamic(octocell: Octocell, tmp_path: Path, *args: object) -> Json:
 
 
 @pytest.mark.parametrize("motion", ["brownian", "free_fall", "gravity", "slow", "few", "still"])
-def test_every_row_is_exact_on_every_frame(
-    octocell: Octocell, tmp_path: Path, motion: str
-) -> None:
+def test_every_row_is_exact_on_every_frame(octocell: Octocell, tmp_path: Path, motion: str) -> None:
     document = dynamic(octocell, tmp_path, "gas:n=800", "--motion", motion, "--frames", FRAMES)
     assert document["groups"][0]["scene"] == f"gas_{motion}"
     assert document["groups"][0]["frames"] == FRAMES

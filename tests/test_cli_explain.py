@@ -15,7 +15,14 @@ from program import ROOT, Json, Octocell, Refused, load
 SKIPS = re.findall(
     r'^    \{"(\w+)",', (ROOT / "harness/interface/skips.hpp").read_text(), re.MULTILINE
 )
-SCENES = ("gas:n=60", "gas:n=3000", "giant:n=3000", "discs:n=3000", "chain:n=3000", "identical:n=99")
+SCENES = (
+    "gas:n=60",
+    "gas:n=3000",
+    "giant:n=3000",
+    "discs:n=3000",
+    "chain:n=3000",
+    "identical:n=99",
+)
 
 
 def explained(octocell: Octocell, scene: str, *args: object) -> Json:

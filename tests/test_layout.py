@@ -190,7 +190,10 @@ def test_the_harness_below_the_registry_knows_no_backend(folder: str) -> None:
 
 
 def test_the_reference_shares_no_formula_with_the_backends() -> None:
-    formulas = {f"harness/interface/{name}.hpp" for name in ("predicate", "depth", "grid", "chapter32", "flags")}
+    formulas = {
+        f"harness/interface/{name}.hpp"
+        for name in ("predicate", "depth", "grid", "chapter32", "flags")
+    }
     for path in files(ROOT / "harness/reference", CPP):
         assert not reached_from(path) & formulas, name_of(path)
 
