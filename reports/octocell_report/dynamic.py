@@ -6,8 +6,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from octocell_report import words
-from octocell_report.load import Place, Result, Row
+from octocell_report.load import Impl, Place, Result, Row
 from octocell_report.tables import DYNAMIC
+
+REBUILT = "rebuilt"  # the variant whose frames take nothing over
 
 
 class Course(NamedTuple):
@@ -30,3 +32,12 @@ def courses(result: Result) -> dict[Course, list[Row]]:
         if row.run == DYNAMIC and row.motion:
             found.setdefault(Course(row.place, row.motion.scene), []).append(row)
     return {course: sorted(rows, key=lambda r: order[r.impl]) for course, rows in found.items()}
+
+
+def searched_anew(result: Result) -> dict[tuple[Impl, Place], Row]:
+    """The same frames as a planned row's, none of which takes over from the last."""
+    return {
+        (row.impl, row.place): row
+        for row in result.variants
+        if row.skips == REBUILT and row.run == DYNAMIC and row.counts
+    }

@@ -195,8 +195,10 @@ def speed(result: Result, run: str, language: str = "en") -> list[str]:
 
 
 def moving(result: Result, language: str = "en") -> list[str]:
-    """Whose steady frame is fastest on each course, and how ours stands to each library's."""
+    """Whose steady frame is fastest on each course, and how ours stands to the same frames searched
+    anew and to each library's."""
     labels, every, found = words.labels(result), tables.ratios(result, tables.DYNAMIC), []
+    anew = dynamic.searched_anew(result)
     for course, rows in dynamic.courses(result).items():
         exact = [row for row in rows if row.counts]
         if not exact:
@@ -204,6 +206,12 @@ def moving(result: Result, language: str = "en") -> list[str]:
         best = min(exact, key=lambda row: row.median_ms)
         name, time_ms = labels[best.impl], words.number(best.median_ms)
         found.append(tell(language, "steady", course=course.title, name=name, time=time_ms))
+        for row in exact:
+            if beside := anew.get((row.impl, row.place)):
+                rounds = zip(row.round_ms, beside.round_ms, strict=False)
+                share = f"{median(ours / theirs for ours, theirs in rounds):.2f}"
+                values = {"course": course.title, "name": labels[row.impl], "share": share}
+                found.append(tell(language, "steady_anew", **values))
         for family in tables.families(result):
             ours = [
                 ratio.median

@@ -10,14 +10,13 @@ from collections import Counter
 from pathlib import Path
 from statistics import median, mode
 
-from octocell_report import tables, words
+from octocell_report import dynamic, tables, words
 from octocell_report.fields import ReportError
 from octocell_report.load import Group, Impl, Place, Result, Row
 from octocell_report.markdown import table
 from octocell_report.spread import SHARE, Estimate, estimate
 
 PLANNED = "planned"
-REBUILT = "rebuilt"  # the variant whose frames take nothing over
 UNTOLD = "_untold"  # ends the name of a scene whose flags only say who moves
 
 _INTERVAL = f"in brackets their {SHARE} % interval"
@@ -104,10 +103,12 @@ def _per_output(result: Result, row: Row) -> tuple[float, ...]:
 def frames(result: Result) -> str:
     """A frame that may take over from the last, by the same frame searched anew."""
     rows = [row for row in result.rows if row.run == tables.DYNAMIC and row.counts]
-    anew = {(row.impl, row.place): row for row in result.variants if row.skips == REBUILT}
+    anew = dynamic.searched_anew(result)
     found = [row for row in rows if (row.impl, row.place) in anew]
     if not found:
-        raise ReportError(f"block 'frames' needs moving scenes with the variant '{REBUILT}'")
+        raise ReportError(
+            f"block 'frames' needs moving scenes with the variant '{dynamic.REBUILT}'"
+        )
     header = [
         "scene",
         "implementation",

@@ -139,7 +139,7 @@ _SECTIONS = {
     "then all pairs are asked for. What a simulation would pay each frame.",
     "title_dynamic": "Moving scenes, frame by frame",
     "how_dynamic": "Each frame the spheres move, then all pairs are found: ours builds anew, or "
-    "reuses what is proved to hold still; a baseline follows in its own way. Lines are the median over the rounds, bands the fastest to the "
+    "reuses what is proved to hold still; a baseline follows in its own way. A dashed line is the same row searched anew in every frame. Lines are the median over the rounds, bands the fastest to the "
     "slowest round; hollow marks on grey are warm-up frames, which count for nothing.",
     "title_stages_backend": "Stages of ours",
     "how_stages_backend": "Each bar is one implementation, warm, at the scene's largest size. A fused "
@@ -275,6 +275,7 @@ _FINDINGS = {
     "runs_by_warm": "{name}, time by its warm time over {groups} groups: {runs}.",
     "device_bytes": "{name}: {needs} bytes of device memory per sphere.",
     "steady": "{course}: the fastest steady frame is that of {name}, {time} ms.",
+    "steady_anew": "{course}: {name} takes {share} of the time of the same frames searched anew.",
     "steady_speed": "{course}: our fastest steady frame is {ratio} as fast as {family}'s fastest.",
     "space": " ",
     "headline_variants_one": "{wrong} of {variants} variants of the plan is wrong.",

@@ -124,7 +124,7 @@ _SECTIONS = {
     "title_time_update": "时间与规模，更新",
     "how_time_update": "更新：基线的结构保持不变，重新通知每个球的位置，再求所有球对。模拟程序每帧付出的就是这个代价。",
     "title_dynamic": "运动场景，逐帧时间",
-    "how_dynamic": "每一帧所有球先移动，再求出所有球对：我们的实现重新构建，或沿用已证明不变的部分；基线用各自的方式更新。"
+    "how_dynamic": "每一帧所有球先移动，再求出所有球对：我们的实现重新构建，或沿用已证明不变的部分；基线用各自的方式更新。虚线是同一行逐帧重新搜索的时间。"
     "线是各轮的中位数，色带从最快一轮到最慢一轮；灰底上的空心标记是预热帧，不计入结果。",
     "title_stages_backend": "我们的各阶段",
     "how_stages_backend": "每条为一个实现，热运行，取该场景的最大规模。被合并的阶段没有自己的一段；"
@@ -244,6 +244,7 @@ _FINDINGS = {
     "runs_by_warm": "{name}，{groups} 组中各运行时间与其热运行时间之比：{runs}。",
     "device_bytes": "{name}：每球占用 {needs} 字节设备内存。",
     "steady": "{course}：稳态帧最快的是 {name}，{time} ms。",
+    "steady_anew": "{course}：{name} 所用时间是同样的帧逐帧重新搜索的 {share}。",
     "steady_speed": "{course}：我们最快的稳态帧的速度是 {family} 最快者的 {ratio}。",
     "space": "",
     "headline_variants_one": "计划的 {variants} 个变体中有 {wrong} 个错误。",

@@ -77,6 +77,7 @@ def test_names_of_scenes_do_not_run_into_each_other():
     figure.canvas.draw()
     headings = [text for text in figure.axes[0].texts if text.get_weight() == "bold"]
     assert [text.get_text().replace("\n", "") for text in headings] == list(names)
+    assert len({text.get_fontsize() for text in headings}) == 1
     boxes = [text.get_window_extent() for text in headings]
     assert all(left.x1 < right.x0 for left, right in itertools.pairwise(boxes))
     plt.close(figure)

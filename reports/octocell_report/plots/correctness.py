@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import textwrap
+from typing import NamedTuple
 
 import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
@@ -15,7 +16,11 @@ from octocell_report.load import Group, Impl, Place, Result
 from octocell_report.style import Look
 from octocell_report.tables import Cell
 
+_HEADING = 12.5  # points
+_LETTER = 0.72 / 72  # inches, of the widest bold letters, for one point of height
 _BAND = 12  # columns side by side; more go into a band below, or the text gets too small
+_WIDE_BAND = 8  # the same where a single column has a long name
+_LONG = 9  # letters
 
 # fill, ink, what it means
 STATES = {
@@ -34,16 +39,21 @@ def draw(result: Result, looks: dict[Impl, Look]) -> Figure | None:
         return None
     bands = _bands(result)
     columns = max(len(band) for band in bands)
+    width = min(1.6, max(0.9, 11.0 / columns))
+    headings = [_headings(band, width) for band in bands]
     height = 0.43 * len(impls) + 1.0
     figure, axes = plt.subplots(
         len(bands),
         1,
-        figsize=(3.7 + 0.9 * max(columns, 4), height * len(bands) + 1.2),
+        figsize=(3.7 + width * max(columns, 3), height * len(bands) + 1.2),
         squeeze=False,
         layout="constrained",
     )
-    for ax, band in zip(axes[:, 0], bands, strict=True):
+    size = min(_HEADING, *(heading.fitting for band in headings for heading in band))
+    for ax, band, above in zip(axes[:, 0], bands, headings, strict=True):
         _matrix(ax, looks, impls, band, cells, columns)
+        for heading in above:
+            _write(ax, heading, len(impls), size)
     met = {cell.state for cell in cells.values()}
     handles = [
         Patch(facecolor=fill, edgecolor=style.FAINT, linewidth=0.5, label=meaning)
@@ -56,17 +66,23 @@ def draw(result: Result, looks: dict[Impl, Look]) -> Figure | None:
 
 
 def _bands(result: Result) -> list[list[Group]]:
-    """Groups in rows of at most _BAND, a scene kept together where it fits."""
+    """Groups in rows of as many as have room, a scene kept together where it fits."""
     bands: list[list[Group]] = [[]]
+    most = _WIDE_BAND if _has_long_name(result) else _BAND
     for scene in result.scenes:
         groups = sorted((g for g in result.groups if g.scene == scene), key=lambda g: g.n)
-        if bands[-1] and len(bands[-1]) + len(groups) > _BAND:
+        if bands[-1] and len(bands[-1]) + len(groups) > most:
             bands.append([])
         for group in groups:
-            if len(bands[-1]) == _BAND:
+            if len(bands[-1]) == most:
                 bands.append([])
             bands[-1].append(group)
     return bands
+
+
+def _has_long_name(result: Result) -> bool:
+    single = [scene for scene in result.scenes if sum(g.scene == scene for g in result.groups) == 1]
+    return any(len(line) >= _LONG for scene in single for line in _lines(scene, _LONG))
 
 
 def _matrix(
@@ -82,10 +98,6 @@ def _matrix(
             _cell(ax, x, y, cells[impl, group.place])
         size = words.NONE if group.unavailable is not None else words.size(group.n)
         ax.text(x + 0.5, -0.12, size, ha="center", va="bottom", fontsize=11)
-        if x == 0 or band[x - 1].scene != group.scene:
-            sizes = sum(other.scene == group.scene for other in band)
-            ax.text(x + 0.06, -0.72, va="bottom", weight="bold", **_heading(group.scene, sizes))
-            ax.plot([x, x], [-1.3, len(impls)], color=style.INK, linewidth=1.4, clip_on=False)
     ax.set_xlim(0, columns)
     ax.set_ylim(len(impls), -1.3)
     ax.set_xticks([])
@@ -96,14 +108,40 @@ def _matrix(
         spine.set_visible(False)
 
 
-def _heading(scene: str, columns: int) -> dict[str, object]:
-    """The scene's name and its size of type: on a second line, and smaller, where it must be."""
-    if len(scene) <= 7 * columns:
-        return {"s": scene, "fontsize": 12.5}
+class _Heading(NamedTuple):
+    """The name of a scene over its first column."""
+
+    column: int
+    lines: list[str]
+    fitting: float  # the largest type, in points, for which its columns have room
+
+
+def _headings(band: list[Group], width: float) -> list[_Heading]:
+    found = []
+    for x, group in enumerate(band):
+        if x == 0 or band[x - 1].scene != group.scene:
+            room = width * sum(other.scene == group.scene for other in band)
+            lines = _lines(group.scene, int(room / (_LETTER * _HEADING)))
+            found.append(_Heading(x, lines, room / (_LETTER * max(map(len, lines)))))
+    return found
+
+
+def _lines(scene: str, letters: int) -> list[str]:
+    """Parameters, or the latter half of the words, stand on a second line where one is too long."""
+    if len(scene) <= letters:
+        return [scene]
     name, bracket, parameters = scene.partition("(")
-    lines = [name, bracket + parameters] if bracket and columns == 1 else [scene]
-    size = min(10.0, 90.0 * columns / max(map(len, lines)))
-    return {"s": "\n".join(lines), "fontsize": size, "linespacing": 1.0}
+    if bracket:
+        return [name, bracket + parameters]
+    breaks = [place + 1 for place, letter in enumerate(scene) if letter == "_"]
+    middle = min(breaks, key=lambda place: abs(2 * place - len(scene)), default=len(scene))
+    return [line for line in (scene[:middle], scene[middle:]) if line]
+
+
+def _write(ax: Axes, heading: _Heading, rows: int, size: float) -> None:
+    x, name = heading.column, "\n".join(heading.lines)
+    ax.text(x + 0.06, -0.72, name, va="bottom", weight="bold", fontsize=size, linespacing=1.0)
+    ax.plot([x, x], [-1.3, rows], color=style.INK, linewidth=1.4, clip_on=False)
 
 
 def _cell(ax: Axes, x: int, y: int, cell: Cell) -> None:

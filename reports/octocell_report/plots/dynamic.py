@@ -10,7 +10,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 
 from octocell_report import dynamic, words
-from octocell_report.load import Impl, Result, Row
+from octocell_report.load import Impl, Place, Result, Row
 from octocell_report.motion import Motion
 from octocell_report.style import Look
 
@@ -27,6 +27,7 @@ def draw(result: Result, looks: dict[Impl, Look]) -> Figure | None:
     if not courses:
         return None
     lines = max(len(rows) for rows in courses.values())
+    lines += len({impl for impl, _ in dynamic.searched_anew(result)})
     height = max(3.5, 0.265 * lines + 1.2)
     figure, axes = plt.subplots(
         len(courses),
@@ -42,18 +43,24 @@ def draw(result: Result, looks: dict[Impl, Look]) -> Figure | None:
         ha="left",
         fontsize=12.5,
     )
+    anew = dynamic.searched_anew(result)
     for ax, (course, rows) in zip(axes[:, 0], courses.items(), strict=True):
-        _facet(ax, looks, rows)
+        _facet(ax, looks, rows, anew)
         ax.set_title(course.title)
     return figure
 
 
-def _facet(ax: Axes, looks: dict[Impl, Look], rows: list[Row]) -> None:
+def _facet(
+    ax: Axes, looks: dict[Impl, Look], rows: list[Row], anew: dict[tuple[Impl, Place], Row]
+) -> None:
     """The legend stands beside it, slowest first, as the lines do."""
     ax.set_yscale("log")
     for row in sorted(rows, key=lambda r: r.median_ms, reverse=True):
+        look = looks[row.impl]
+        beside = anew.get((row.impl, row.place))
+        if beside and beside.motion:
+            _searched_anew(ax, look, beside)
         if row.motion:
-            look = looks[row.impl]
             steady = f"{look.label}   {words.number(row.median_ms)} ms"
             _course(ax, look, row.motion, steady)
     warmup = min(row.motion.warmup for row in rows if row.motion)
@@ -69,6 +76,12 @@ def _facet(ax: Axes, looks: dict[Impl, Look], rows: list[Row]) -> None:
     ax.legend(
         loc="center left", bbox_to_anchor=(1.005, 0.5), title="steady median", alignment="left"
     )
+
+
+def _searched_anew(ax: Axes, look: Look, row: Row) -> None:
+    times = row.motion.by_frame if row.motion else []
+    label = f"the same, searched anew   {words.number(row.median_ms)} ms"
+    ax.plot(times, color=look.colour, linestyle="--", linewidth=1.3, alpha=0.7, label=label)
 
 
 def _course(ax: Axes, look: Look, motion: Motion, label: str) -> None:
