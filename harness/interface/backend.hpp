@@ -41,7 +41,8 @@ class PairFinder {
   /// to date instead of building one; a finder without one simply starts anew.
   virtual void update(SceneView scene) = 0;
 
-  /// Timed: no allocation of ours, no printing, no wait for the host.
+  /// Timed: no allocation of ours, no printing, no wait for the host, but to hear what a frame of a
+  /// device may leave out.
   virtual void find_pairs(StageClock& clock) = 0;
 
   /// A clock that can time find_pairs(): the host's, or one of the device's. It must not outlive

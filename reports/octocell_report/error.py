@@ -18,7 +18,7 @@ from octocell_report import tables, words
 from octocell_report.fields import ReportError
 from octocell_report.load import Group, Place, Result, Row
 from octocell_report.predicates import EXACT, FLOAT32, PREDICATES, SCENE_CLASSES
-from octocell_report.spread import Estimate, estimate
+from octocell_report.spread import Estimate, estimate, ratios
 
 RUN = "warm"
 SHARE = 95  # per cent that intervals hold here
@@ -287,5 +287,5 @@ def _judging_ms(row: Row) -> tuple[float, ...]:
 
 
 def _ratio(above: tuple[float, ...], below: tuple[float, ...]) -> Estimate | None:
-    rounds = tuple(a / b for a, b in zip(above, below, strict=False) if b > 0)
+    rounds = ratios(above, below)
     return estimate(rounds, SHARE) if rounds else None

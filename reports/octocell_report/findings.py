@@ -207,9 +207,9 @@ def moving(result: Result, language: str = "en") -> list[str]:
         name, time_ms = labels[best.impl], words.number(best.median_ms)
         found.append(tell(language, "steady", course=course.title, name=name, time=time_ms))
         for row in exact:
-            if beside := anew.get((row.impl, row.place)):
-                rounds = zip(row.round_ms, beside.round_ms, strict=False)
-                share = f"{median(ours / theirs for ours, theirs in rounds):.2f}"
+            beside = anew.get((row.impl, row.place))
+            if rounds := tables.round_ratios(row, beside) if beside else ():
+                share = f"{median(rounds):.2f}"
                 values = {"course": course.title, "name": labels[row.impl], "share": share}
                 found.append(tell(language, "steady_anew", **values))
         for family in tables.families(result):

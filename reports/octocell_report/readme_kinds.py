@@ -14,7 +14,7 @@ from octocell_report import dynamic, tables, words
 from octocell_report.fields import ReportError
 from octocell_report.load import Group, Impl, Place, Result, Row
 from octocell_report.markdown import table
-from octocell_report.spread import SHARE, Estimate, estimate
+from octocell_report.spread import SHARE, Estimate, estimate, ratios
 
 PLANNED = "planned"
 UNTOLD = "_untold"  # ends the name of a scene whose flags only say who moves
@@ -168,7 +168,7 @@ def _value(text: str) -> str:
 
 
 def _ratio(times: tuple[float, ...], of: tuple[float, ...]) -> Estimate:
-    return estimate(tuple(a / b for a, b in zip(times, of, strict=False)))
+    return estimate(ratios(times, of))
 
 
 def _shown(ratio: Estimate) -> str:

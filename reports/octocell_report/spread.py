@@ -47,6 +47,11 @@ def tails(share: float) -> tuple[float, float]:
 TAILS = tails(SHARE)
 
 
+def ratios(above: tuple[float, ...], below: tuple[float, ...]) -> tuple[float, ...]:
+    """Of the rounds that both have; without those in which the latter took no time."""
+    return tuple(a / b for a, b in zip(above, below, strict=False) if b > 0)
+
+
 @cache
 def estimate(values: tuple[float, ...], share: float = SHARE) -> Estimate:
     """Of one value a round; there must be one."""

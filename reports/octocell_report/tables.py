@@ -9,7 +9,7 @@ from statistics import median
 
 import numpy as np
 
-from octocell_report import words
+from octocell_report import spread, words
 from octocell_report.load import DEVICE_RUNS, RUNS, Group, Impl, Place, Result, Row
 
 UPDATES = ("first_update", "update")
@@ -92,8 +92,7 @@ def fastest(rows: list[Row], family: str) -> Row | None:
 
 def round_ratios(reference: Row, row: Row) -> tuple[float, ...]:
     """reference / row for the rounds that both have; empty where the row took no time."""
-    pairs = zip(reference.round_ms, row.round_ms, strict=False)
-    return tuple(theirs / ours for theirs, ours in pairs if ours > 0)
+    return spread.ratios(reference.round_ms, row.round_ms)
 
 
 def ratios(result: Result, run: str, kind: str = "backend") -> list[Ratio]:

@@ -13,6 +13,7 @@ from octocell_report import (
     page_tables,
     plots,
     readme,
+    style,
     tables,
     words,
 )
@@ -40,7 +41,7 @@ def result_of(*rows):
 
 
 def figure_of(result):
-    return dict(plots.draw_all(result))["dynamic"]
+    return plots.dynamic.draw(result, style.looks(result))
 
 
 def three():

@@ -39,7 +39,7 @@ def draw(result: Result, looks: dict[Impl, Look]) -> Figure | None:
         return None
     bands = _bands(result)
     columns = max(len(band) for band in bands)
-    width = min(1.6, max(0.9, 11.0 / columns))
+    width = min(1.6, max(0.9, 11.0 / columns))  # inches a column: few are wide, for their names
     headings = [_headings(band, width) for band in bands]
     height = 0.43 * len(impls) + 1.0
     figure, axes = plt.subplots(

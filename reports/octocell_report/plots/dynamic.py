@@ -26,8 +26,8 @@ def draw(result: Result, looks: dict[Impl, Look]) -> Figure | None:
     courses = {course: rows for course, rows in courses.items() if rows}
     if not courses:
         return None
-    lines = max(len(rows) for rows in courses.values())
-    lines += len({impl for impl, _ in dynamic.searched_anew(result)})
+    anew = dynamic.searched_anew(result)
+    lines = max(len(rows) for rows in courses.values()) + len({impl for impl, _ in anew})
     height = max(3.5, 0.265 * lines + 1.2)
     figure, axes = plt.subplots(
         len(courses),
@@ -43,7 +43,6 @@ def draw(result: Result, looks: dict[Impl, Look]) -> Figure | None:
         ha="left",
         fontsize=12.5,
     )
-    anew = dynamic.searched_anew(result)
     for ax, (course, rows) in zip(axes[:, 0], courses.items(), strict=True):
         _facet(ax, looks, rows, anew)
         ax.set_title(course.title)
@@ -59,7 +58,7 @@ def _facet(
         look = looks[row.impl]
         beside = anew.get((row.impl, row.place))
         if beside and beside.motion:
-            _searched_anew(ax, look, beside)
+            _searched_anew(ax, look, beside.motion, beside.median_ms)
         if row.motion:
             steady = f"{look.label}   {words.number(row.median_ms)} ms"
             _course(ax, look, row.motion, steady)
@@ -78,10 +77,11 @@ def _facet(
     )
 
 
-def _searched_anew(ax: Axes, look: Look, row: Row) -> None:
-    times = row.motion.by_frame if row.motion else []
-    label = f"the same, searched anew   {words.number(row.median_ms)} ms"
-    ax.plot(times, color=look.colour, linestyle="--", linewidth=1.3, alpha=0.7, label=label)
+def _searched_anew(ax: Axes, look: Look, motion: Motion, median_ms: float) -> None:
+    label = f"the same, searched anew   {words.number(median_ms)} ms"
+    ax.plot(
+        motion.by_frame, color=look.colour, linestyle="--", linewidth=1.3, alpha=0.7, label=label
+    )
 
 
 def _course(ax: Axes, look: Look, motion: Motion, label: str) -> None:
