@@ -9,14 +9,16 @@
 
 namespace octocell::cpu {
 
-/// A fixed set of threads, the caller's among them (a Boost.Asio pool holds the others).
+/// A fixed set of threads, the caller's among them (the others take their work from Boost.Asio).
 class Threads {
  public:
+  /// Where the system gives no more threads, there are fewer.
   explicit Threads(int count);
   ~Threads();
   Threads(const Threads&) = delete;
   Threads& operator=(const Threads&) = delete;
 
+  [[nodiscard]] int asked() const { return asked_; }
   [[nodiscard]] int count() const { return count_; }
 
   /// Calls task(t) for every t in [0, count()), at once; returns when all are done.
@@ -50,8 +52,9 @@ class Threads {
 
  private:
   struct Pool;
-  int count_;
+  int asked_;
   std::unique_ptr<Pool> pool_;  // none for one thread
+  int count_;
 };
 
 }  // namespace octocell::cpu

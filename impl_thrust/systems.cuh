@@ -21,6 +21,7 @@
 #include "harness/interface/plan.hpp"
 #include "harness/interface/sphere.hpp"
 #include "impl_thrust/scratch.cuh"
+#include "impl_thrust/threads.hpp"
 
 namespace octocell::on_thrust {
 
@@ -30,10 +31,15 @@ class HostSystem {
   using Array = Buffer<T>;
 
 #ifdef OCTOCELL_THRUST_OPENMP
-  static void use_threads(int count) { omp_set_num_threads(count); }
+  /// Returns how many there are.
+  static int use_threads(int count) {
+    const int threads = threads_to_be_had(count);
+    omp_set_num_threads(threads);
+    return threads;
+  }
   auto policy() { return thrust::omp::par(scratch_); }
 #else
-  static void use_threads(int) {}
+  static int use_threads(int) { return 1; }
   auto policy() { return thrust::cpp::par(scratch_); }
 #endif
 
@@ -72,7 +78,7 @@ class CudaSystem {
   CudaSystem& operator=(const CudaSystem&) = delete;
   ~CudaSystem() { cudaStreamDestroy(stream_); }
 
-  static void use_threads(int) {}
+  static int use_threads(int) { return 1; }
   auto policy() { return thrust::cuda::par(scratch_).on(stream_); }
 
   /// A copy on the device.

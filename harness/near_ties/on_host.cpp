@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -12,7 +13,12 @@ Tally try_on_host(Family family, std::uint64_t begin, std::uint64_t end, int thr
   {
     std::vector<std::jthread> workers;
     for (std::uint64_t t = 0; t < stride; ++t) {
-      workers.emplace_back([&, t] { tallies[t] = try_pairs(family, begin + t, end, stride); });
+      const auto share = [&, t] { tallies[t] = try_pairs(family, begin + t, end, stride); };
+      try {
+        workers.emplace_back(share);
+      } catch (const std::system_error&) {
+        share();  // the system gives no more threads
+      }
     }
   }
   Tally sum;
