@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -28,23 +29,36 @@ Progress::~Progress() {
   if (line_open_) std::fputs("\n", stderr);
 }
 
+/// On the line through what was seen, which has the slope that was guessed while only one size was.
+double Progress::seconds_of_pass(const Step& step) const {
+  const auto known = seen_.find(step.label);
+  if (known == seen_.end()) return step.spheres * step.seconds_per_sphere;
+  const auto& [smallest, largest] = known->second;
+  const double size = largest.spheres - smallest.spheres;
+  const double slope = size > 0.0
+                           ? std::max(0.0, (largest.seconds - smallest.seconds) / size)
+                           : std::min(step.seconds_per_sphere, smallest.seconds / smallest.spheres);
+  return std::max(0.0, largest.seconds + slope * (step.spheres - largest.spheres));
+}
+
 double Progress::seconds_left() const {
   double seconds = 0.0;
   for (std::size_t s = 0; s < steps_.size(); ++s) {
-    const auto known = seconds_per_sphere_.find(steps_[s].label);
-    const double each =
-        known == seconds_per_sphere_.end() ? steps_[s].seconds_per_sphere : known->second;
-    seconds += (1.0 - done_[s]) * steps_[s].passes * steps_[s].spheres * each;
+    if (done_[s] == 1.0) continue;
+    seconds += (1.0 - done_[s]) * steps_[s].passes * seconds_of_pass(steps_[s]);
   }
   return seconds;
 }
 
 void Progress::learn(std::size_t step, double seconds, double share) {
+  const Step& what = steps_[step];
   const double gained = share - done_[step];
   done_[step] = share;
-  if (gained <= 0.0 || steps_[step].spheres == 0.0) return;
-  seconds_per_sphere_[steps_[step].label] =
-      seconds / (gained * steps_[step].passes * steps_[step].spheres);
+  if (gained <= 0.0 || what.spheres == 0.0) return;
+  const Seen now = {what.spheres, seconds / (gained * what.passes)};
+  Sizes& sizes = seen_.try_emplace(what.label, Sizes{now, now}).first->second;
+  if (now.spheres <= sizes.smallest.spheres) sizes.smallest = now;
+  if (now.spheres >= sizes.largest.spheres) sizes.largest = now;
 }
 
 void Progress::show(std::size_t step, std::string_view what) {

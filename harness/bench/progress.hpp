@@ -18,7 +18,7 @@ class Progress {
     std::string label;  // of the implementation: what is learnt from one size serves the next
     double spheres;
     double passes;                     // runs that the step will take
-    double seconds_per_sphere = 5e-7;  // of one pass: a guess, until a step of that label was seen
+    double seconds_per_sphere = 5e-7;  // of one pass: a guess, until two sizes were seen
   };
   explicit Progress(std::vector<Step> steps);
   ~Progress();
@@ -29,13 +29,25 @@ class Progress {
   void note(std::string_view line);
   /// What a step has cost so far; `share` of it is done.
   void learn(std::size_t step, double seconds, double share);
-
- private:
   [[nodiscard]] double seconds_left() const;
 
+ private:
+  /// A pass over so many spheres took so long.
+  struct Seen {
+    double spheres;
+    double seconds;
+  };
+  /// Small scenes show what a pass costs whatever its size (a process is started, short runs are
+  /// repeated), large ones what a sphere costs.
+  struct Sizes {
+    Seen smallest;
+    Seen largest;
+  };
+  [[nodiscard]] double seconds_of_pass(const Step& step) const;
+
   std::vector<Step> steps_;
-  std::vector<double> done_;                          // share of each step
-  std::map<std::string, double> seconds_per_sphere_;  // of one pass, latest seen
+  std::vector<double> done_;           // share of each step
+  std::map<std::string, Sizes> seen_;  // by label
   std::chrono::steady_clock::time_point last_shown_ = {};
   bool terminal_;
   bool line_open_ = false;

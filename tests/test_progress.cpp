@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The bench says how long it will take: from small groups it must not conclude that large ones take
+// as long for each of their spheres.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "harness/bench/progress.hpp"
+
+namespace octocell::bench {
+namespace {
+
+/// A pass costs 30 ms whatever its size, and so much a sphere.
+struct Row {
+  std::string label;
+  double seconds_per_sphere;
+  double guess;
+};
+constexpr double kSecondsOfPass = 0.03;
+constexpr double kPasses = 8.0;
+
+double seconds_of(const Progress::Step& step, const Row& row) {
+  return step.passes * (kSecondsOfPass + row.seconds_per_sphere * step.spheres);
+}
+
+TEST(Progress, EstimatesLargeGroupsWhileSmallOnesRun) {
+  const std::vector<Row> rows = {{"ours", 2e-8, 5e-8}, {"thrust", 2e-7, 5e-8}, {"fcl", 1e-6, 1e-6}};
+  const std::vector<double> sizes = {1e3, 1e3, 1e3, 1e3, 1e4, 1e4, 1e5, 1e5, 1e6};
+  std::vector<Progress::Step> steps;
+  for (const double size : sizes) {
+    for (const Row& row : rows) steps.push_back({row.label, size, kPasses, row.guess});
+  }
+  Progress progress(steps);
+  double left = 0.0;
+  for (std::size_t s = 0; s < steps.size(); ++s)
+    left += seconds_of(steps[s], rows[s % rows.size()]);
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    const double seconds = seconds_of(steps[s], rows[s % rows.size()]);
+    progress.learn(s, seconds / 2.0, 0.5);
+    progress.learn(s, seconds / 2.0, 1.0);
+    left -= seconds;
+    if (s < rows.size()) continue;  // each implementation was seen once
+    EXPECT_LE(progress.seconds_left(), 2.0 * left + 1e-6) << s;
+    EXPECT_GE(progress.seconds_left(), 0.5 * left - 1e-6) << s;
+  }
+  EXPECT_NEAR(progress.seconds_left(), 0.0, 1e-6);
+}
+
+}  // namespace
+}  // namespace octocell::bench
