@@ -15,9 +15,10 @@ class CpuBackend final : public GridPairFinder {
   void upload(const Plan& plan, SceneView scene) override {
     w_.plan = plan;
     w_.scene = scene;
+    room_ = scene.spheres.size();
     w_.id_count = 0;
     w_.cells.clear();
-    if (!w_.threads || w_.threads->count() != plan.threads) {
+    if (!w_.threads || w_.threads->asked() != plan.threads) {
       w_.threads = std::make_shared<Threads>(plan.threads);
     }
     w_.allocate();
@@ -27,6 +28,7 @@ class CpuBackend final : public GridPairFinder {
 
   /// What the last frame left serves the next only where coherence_ has proved that it may.
   void update(SceneView scene) override {
+    if (scene.spheres.size() > room_) return upload(w_.plan, scene);
     if (!std::ranges::equal(flags_, scene.flags)) {
       flags_.assign(scene.flags.begin(), scene.flags.end());
       OCTOCELL_FAULT(frame_keeps_flags, void(), coherence_.forget());  // it compares spheres only
@@ -44,15 +46,24 @@ class CpuBackend final : public GridPairFinder {
     found.served_by = coherence_.served_by();
     found.plan_violation = w_.violation;
     found.used = w_.used;
+    found.threads = w_.threads->count();
     if (const auto skip = coherence_.served_by()) found.used = found.used.with(*skip);
     return found;
   }
 
   std::vector<Pair> download() override {
-    const std::span<const Pair> found = w_.pairs.items();
-    std::vector<Pair> pairs(found.begin(), found.end());
-    std::sort(pairs.begin(), pairs.end());
-    return pairs;
+    const std::span<const Pair> found = sorted_pairs();
+    return {found.begin(), found.end()};
+  }
+
+  std::span<const Pair> sorted_pairs() override {
+    const std::span<Pair> found = w_.pairs.stored();
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  [[nodiscard]] HostBytes host_bytes(const Plan& plan, SceneView scene) const override {
+    return bytes_of(plan, scene.spheres.size());
   }
 
   PairDigest digest() override { return w_.pairs.digest(); }
@@ -84,6 +95,7 @@ class CpuBackend final : public GridPairFinder {
   }
 
   Workspace w_;
+  std::uint64_t room_ = 0;    // spheres that there is room for
   std::vector<Flags> flags_;  // of the scene
   coherence::Coherence coherence_;
 };

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/interface/backend.hpp"
 #include "harness/interface/chapter32.hpp"
 #include "harness/interface/object_word.hpp"
 #include "harness/interface/plan.hpp"
@@ -68,6 +69,9 @@ struct Workspace {
     return !violation && ids_complete() && cells.complete() && candidates <= plan.candidate_limit;
   }
 };
+
+/// What Workspace::allocate() makes room for and a run writes to, and what frames keep besides.
+HostBytes bytes_of(const Plan& plan, std::uint64_t spheres);
 
 /// Whether these facts are at least as strong as those of a plan.
 bool are_within(const PlanFacts& seen, const PlanFacts& planned);

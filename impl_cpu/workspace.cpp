@@ -21,4 +21,20 @@ void Workspace::allocate() {
   pairs.allocate(room.pairs);
 }
 
+HostBytes bytes_of(const Plan& plan, std::uint64_t spheres) {
+  constexpr double kSidesOfIds = 2.0 * (sizeof(std::uint32_t) + sizeof(Object));
+  HostBytes bytes = {.per_cell = sizeof(CellEntry), .per_pair = sizeof(Pair)};
+  if (plan.method == Method::brute_force) return bytes;
+  bytes.per_id = kSidesOfIds;
+  double of_sphere = plan.rule == Rule::chapter32 ? sizeof(chapter32::ControlBits) : 0.0;
+  if (plan.method == Method::half_shell) {
+    bytes.per_cell = sizeof(Row);
+    of_sphere = 4.0 * sizeof(float) + (is_packed(plan.test) ? 4.0 * sizeof(std::uint16_t) : 0.0);
+    // A list of neighbours has its own order, and three copies of the spheres; frames keep one.
+    if (plan.moving) of_sphere += of_sphere + kSidesOfIds + 4.0 * sizeof(Sphere) + sizeof(float);
+  }
+  bytes.fixed = of_sphere * static_cast<double>(spheres);
+  return bytes;
+}
+
 }  // namespace octocell::cpu

@@ -41,6 +41,7 @@ class CudaBackend final : public GridPairFinder {
 
   void upload(const Plan& plan, SceneView scene) override {
     runs_.forget_graph();
+    room_ = scene.spheres.size();
     w_.plan = plan;
     w_.scene = scene;
     w_.sorter.reset();
@@ -62,6 +63,7 @@ class CudaBackend final : public GridPairFinder {
 
   /// What the last frame left serves the next only where the device has proved that it may.
   void update(SceneView scene) override {
+    if (scene.spheres.size() > room_) return upload(w_.plan, scene);
     const bool sizes_as_before = scene.spheres.size() == w_.scene.spheres.size() &&
                                  scene.flags.size() == w_.scene.flags.size();
     if (!sizes_as_before) runs_.forget_graph();  // it holds where they are, if they are
@@ -215,6 +217,7 @@ class CudaBackend final : public GridPairFinder {
   }
 
   Workspace w_;
+  std::uint64_t room_ = 0;    // spheres that there is room for
   PinnedArray<State> state_;  // [1], read from the device
   cuda::Event opened_;        // behind the first kernel of a frame
   coherence::Coherence coherence_;

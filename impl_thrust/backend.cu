@@ -5,6 +5,8 @@
 #include <thrust/transform_reduce.h>
 
 #include <algorithm>
+#include <span>
+#include <type_traits>
 
 #include "harness/interface/error.hpp"
 #include "impl_thrust/stages.cuh"
@@ -21,6 +23,7 @@ class ThrustBackend final : public GridPairFinder {
  public:
   void upload(const Plan& plan, SceneView scene) override {
     w_.plan = plan;
+    room_ = scene.spheres.size();
     w_.id_count = w_.cell_count = 0;
     w_.system.scratch().release();
     w_.levels = w_.system.take(w_.plan.levels);
@@ -30,6 +33,7 @@ class ThrustBackend final : public GridPairFinder {
 
   /// Nothing stands between runs: every find_pairs() starts from the spheres.
   void update(SceneView scene) override {
+    if (scene.spheres.size() > room_) return upload(w_.plan, scene);
     w_.scene = scene;
     w_.spheres = w_.system.take(scene);
     w_.flags = w_.system.take_flags(scene);
@@ -49,6 +53,7 @@ class ThrustBackend final : public GridPairFinder {
     found.over_candidate_limit = w_.candidates > w_.plan.candidate_limit;
     found.plan_violation = w_.violation;
     found.used = w_.used;
+    if (kHostThreaded && std::is_same_v<System, HostSystem>) found.threads = threads_;
     return found;
   }
 
@@ -56,6 +61,29 @@ class ThrustBackend final : public GridPairFinder {
     std::vector<Pair> pairs = w_.system.read(w_.pairs.data(), stored());
     std::sort(pairs.begin(), pairs.end());
     return pairs;
+  }
+
+  /// As they lie there, if that is the host's memory.
+  std::span<const Pair> sorted_pairs() override {
+    if constexpr (!std::is_same_v<System, HostSystem>) {
+      return PairFinder::sorted_pairs();
+    } else {
+      std::sort(w_.pairs.data(), w_.pairs.data() + stored());
+      return {w_.pairs.data(), stored()};
+    }
+  }
+
+  /// What Workspace::allocate() makes room for, and the copy in which Thrust sorts.
+  [[nodiscard]] HostBytes host_bytes(const Plan& plan, SceneView scene) const override {
+    if (!std::is_same_v<System, HostSystem>) return {};
+    constexpr double kEntry = sizeof(Object) + sizeof(Sphere) + sizeof(Found);
+    constexpr double kId = kEntry + 5.0 * sizeof(std::uint32_t) + sizeof(Object);
+    const double spheres = static_cast<double>(scene.spheres.size());
+    if (plan.method == Method::brute_force) return {.fixed = kEntry * spheres, .per_pair = 8.0};
+    return {.fixed = sizeof(std::uint64_t) * spheres,
+            .per_id = kId,
+            .per_cell = sizeof(CellEntry),
+            .per_pair = sizeof(Pair)};
   }
 
   PairDigest digest() override {
@@ -71,7 +99,7 @@ class ThrustBackend final : public GridPairFinder {
   [[nodiscard]] Method method() const override { return w_.plan.method; }
   [[nodiscard]] bool nothing_to_find() const override { return w_.plan.nothing_to_find; }
   void bounds() override {
-    System::use_threads(w_.plan.threads);
+    threads_ = System::use_threads(w_.plan.threads);
     on_thrust::bounds(w_);
   }
   void cell_ids() override { on_thrust::cell_ids(w_); }
@@ -86,6 +114,8 @@ class ThrustBackend final : public GridPairFinder {
   }
 
   Workspace<System> w_;
+  std::uint64_t room_ = 0;  // spheres that there is room for
+  int threads_ = 0;         // of the last run
 };
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "harness/driver/complete.hpp"
-#include "harness/driver/memory_guard.hpp"
 #include "harness/interface/error.hpp"
 #include "harness/reference/reference.hpp"
 #include "harness/registry/registry.hpp"
@@ -87,19 +86,6 @@ INSTANTIATE_TEST_SUITE_P(Implementations, Buffers, testing::ValuesIn(here()), []
   return name;
 });
 
-TEST(MemoryGuard, NamesWhatIsNeededAndRefusesNothingThatFits) {
-  Plan plan;
-  EXPECT_NO_THROW(require_memory(plan));
-  plan.capacity.pairs = std::uint64_t{1} << 50;
-  try {
-    require_memory(plan);
-    FAIL() << "accepted";
-  } catch (const LimitError& refusal) {
-    EXPECT_NE(std::string(refusal.what()).find("8388608.0 GiB"), std::string::npos)
-        << refusal.what();
-  }
-}
-
 TEST(Update, AnswersForTheSpheresAsTheyAreNow) {
   const Scene before = generate("dense:n=3000,seed=1");
   Scene after = before;
@@ -120,6 +106,25 @@ TEST(Update, AnswersForTheSpheresAsTheyAreNow) {
     if (finder->counts().plan_violation) {
       find_completely(*finder, after.view(), options);  // planned again, as a harness would
     }
+    EXPECT_EQ(finder->digest(), truth) << how.label();
+  }
+}
+
+TEST(Update, MayBringMoreSpheresThanTheUpload) {
+  const Scene scene = generate("dense:n=4000");
+  const SceneView few = {std::span(scene.spheres).first(100)};
+  const PairDigest truth = digest_of(reference::exact_pairs(scene.spheres));
+  for (const Implementation& how : here()) {
+    if (how.exhibit() || how.has_known_faults()) continue;
+    PlanOptions options = how.plan_options();
+    options.moving = true;
+    const auto finder = how.backend->create();
+    HostClock clock;
+    finder->upload(plan_scene(scene.view(), options), few);
+    finder->find_pairs(clock);
+    finder->update(scene.view());
+    finder->find_pairs(clock);
+    EXPECT_EQ(finder->counts().plan_violation, std::nullopt) << how.label();
     EXPECT_EQ(finder->digest(), truth) << how.label();
   }
 }

@@ -174,13 +174,19 @@ def test_backends_and_baselines_see_only_the_interface(folder: Path) -> None:
             assert fine, f"{name_of(path)} includes {included}"
 
 
-@pytest.mark.parametrize("folder", ["interface", "planner", "scenes", "reference"])
+@pytest.mark.parametrize("folder", ["interface", "memory", "planner", "scenes", "reference"])
 def test_the_harness_below_the_registry_knows_no_backend(folder: str) -> None:
     allowed = {
         "interface": ("harness/interface/",),
         "planner": ("harness/interface/", "harness/planner/"),
-        "scenes": ("harness/interface/", "harness/scenes/"),
-        "reference": ("harness/interface/", "harness/scenes/", "harness/reference/"),
+        "memory": ("harness/interface/", "harness/memory/"),
+        "scenes": ("harness/interface/", "harness/memory/", "harness/scenes/"),
+        "reference": (
+            "harness/interface/",
+            "harness/memory/",
+            "harness/scenes/",
+            "harness/reference/",
+        ),
     }[folder]
     for path in files(ROOT / "harness" / folder, CPP):
         for included in includes(path):

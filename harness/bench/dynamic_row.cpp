@@ -33,6 +33,7 @@ StageTimes DynamicRow::run_frame(std::size_t frame, StageClock& clock) {
   StageTimes times = clock.stop();
   const Counts counts = finder_->counts();
   require_under_limit(counts);
+  require_threads(counts);
   if (plan_holds(counts)) return times;
   HostClock again(Marks::off);
   again.start();

@@ -63,6 +63,11 @@ void RowRunner::require_under_limit(const Counts& counts) const {
                                options_.candidate_limit));
 }
 
+void RowRunner::require_threads(const Counts& counts) const {
+  if (counts.threads == 0 || counts.threads >= row_.threads) return;
+  throw LimitError(fmt::format("the system gave {} of {} threads", counts.threads, row_.threads));
+}
+
 void RowRunner::judge(std::size_t frame) {
   const PairDigest digest = finder_->digest();
   if (frame == 0) result_.digest = digest;

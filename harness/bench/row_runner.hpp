@@ -79,6 +79,8 @@ class RowRunner {
   /// To be called once the pairs were found for the first time.
   void record_device_memory();
   void require_under_limit(const Counts& counts) const;
+  /// A row names its threads.
+  void require_threads(const Counts& counts) const;
   /// Compares what the finder holds now with the exact pairs of a frame.
   void judge(std::size_t frame);
   void record_stages(const StageTimes& times);

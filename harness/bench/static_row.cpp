@@ -23,6 +23,7 @@ void StaticRow::verify_or_throw(double min_time_ms) {
   result_.plan_ms = outcome.plan_ms;
   result_.plan = outcome.plan;
   require_under_limit(outcome.counts);
+  require_threads(outcome.counts);
   judge(0);
   if (row_.run == Run::cold) finder_.reset();
   HostClock whole(Marks::off);

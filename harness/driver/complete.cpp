@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "harness/driver/complete.hpp"
 
+#include <memory>
+
 #include "harness/driver/memory_guard.hpp"
 #include "harness/interface/error.hpp"
+#include "harness/memory/available.hpp"
 
 namespace octocell {
 
 Outcome complete(PairFinder& finder, SceneView scene, Plan plan, StageClock& clock) {
   Outcome outcome;
+  const HostBytes bytes = finder.host_bytes(plan, scene);
+  plan = within_memory(plan, bytes);
   for (;;) {
     finder.upload(plan, scene);
     finder.find_pairs(clock);
@@ -17,8 +22,7 @@ Outcome complete(PairFinder& finder, SceneView scene, Plan plan, StageClock& clo
     if (outcome.counts.plan_violation) throw LimitError(*outcome.counts.plan_violation);
     const bool enough = fits(outcome.counts, plan.capacity, plan.count_only);
     if (enough || outcome.counts.over_candidate_limit) break;
-    plan = grow(plan, outcome.counts);
-    require_memory(plan);
+    plan = grow_within_memory(plan, bytes, outcome.counts);
   }
   outcome.plan = plan;
   return outcome;
@@ -42,6 +46,14 @@ Outcome find_completely(PairFinder& finder, SceneView scene, const PlanOptions& 
   Outcome outcome = complete(finder, scene, plan, *clock);
   outcome.plan_ms = plan_ms;
   return outcome;
+}
+
+std::span<const Pair> fetch_pairs(PairFinder& finder, const Outcome& outcome) {
+  const bool copies = finder.host_bytes(outcome.plan, {}).per_pair == 0.0;
+  if (copies) {
+    require_memory(sizeof(Pair) * static_cast<double>(outcome.counts.pairs), "a copy of the pairs");
+  }
+  return finder.sorted_pairs();
 }
 
 }  // namespace octocell

@@ -2,6 +2,8 @@
 // From a finder and a scene to a complete answer, however small the first buffers were.
 #pragma once
 
+#include <span>
+
 #include "harness/interface/backend.hpp"
 #include "harness/planner/planner.hpp"
 
@@ -25,5 +27,9 @@ Outcome find_completely(PairFinder& finder, SceneView scene, const PlanOptions& 
 
 /// The same from a plan that stands; plan_ms is zero.
 Outcome complete(PairFinder& finder, SceneView scene, Plan plan, StageClock& clock);
+
+/// The pairs of a complete answer, sorted, as long as the finder keeps them. Throws LimitError
+/// where they lie on a device and there is no memory for a copy.
+std::span<const Pair> fetch_pairs(PairFinder& finder, const Outcome& outcome);
 
 }  // namespace octocell

@@ -12,7 +12,9 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <new>
 #include <span>
 #include <string>
@@ -20,6 +22,7 @@
 
 #include "harness/driver/complete.hpp"
 #include "harness/interface/error.hpp"
+#include "harness/memory/available.hpp"
 
 namespace octocell {
 namespace {
@@ -86,12 +89,13 @@ void send_error(const End& pipe, Ending ending, std::string_view text) {
   write_whole(pipe, std::as_bytes(std::span(text)));
 }
 
-/// Crashes shall end the child and nothing else: no handlers of the parent's (sanitizers have
-/// some), no core files, and no child without a parent.
+/// Crashes shall end the child and nothing else: no handlers of the parent's (sanitizers and the
+/// command line have some), no core files, and no child without a parent.
 void become_a_child(pid_t parent) {
   for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGPIPE, SIGINT}) {
     std::signal(number, SIG_DFL);
   }
+  std::set_terminate(std::abort);
   const rlimit none = {0, 0};
   setrlimit(RLIMIT_CORE, &none);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -103,14 +107,14 @@ void answer(const End& pipe, const std::function<std::unique_ptr<PairFinder>()>&
   const std::unique_ptr<PairFinder> finder = create();
   const Counts counts = find_completely(*finder, scene, options).counts;
   Head head = head_of(counts);
-  std::vector<Pair> pairs;
+  std::span<const Pair> pairs;
   if (!counts.over_candidate_limit) {
     head.digest = finder->digest();
-    pairs = finder->download();
+    pairs = finder->sorted_pairs();
   }
   head.pair_count = pairs.size();
   write_whole(pipe, std::as_bytes(std::span(&head, 1)));
-  write_whole(pipe, std::as_bytes(std::span(pairs)));
+  write_whole(pipe, std::as_bytes(pairs));
 }
 
 /// Everything that the child does. It leaves by _exit(): what was buffered is the parent's.
@@ -196,6 +200,7 @@ IsolatedAnswer receive(Child& child) {
   child.read_whole(std::as_writable_bytes(std::span(text)));
   if (head.ending == Ending::input_error) throw InputError(text);
   if (head.ending == Ending::limit_error) throw LimitError(text);
+  require_memory(sizeof(Pair) * static_cast<double>(head.pair_count), "a copy of the pairs");
   IsolatedAnswer answer = {.counts = {.ids = head.ids,
                                       .cells = head.cells,
                                       .candidates = head.candidates,

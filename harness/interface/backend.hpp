@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "harness/interface/clock.hpp"
@@ -26,6 +27,14 @@ class DeviceRuns {
 
   /// Spheres from pinned host memory, all stages, pairs back to pinned memory; milliseconds.
   virtual double transfers_ms() = 0;
+};
+
+/// How much of the host's memory a run writes to [bytes].
+struct HostBytes {
+  double fixed = 0.0;   // whatever is found
+  double per_id = 0.0;  // of Capacities
+  double per_cell = 0.0;
+  double per_pair = 0.0;  // or doubt
 };
 
 /// Calls come in this order: upload, find_pairs (any number of times), counts, then download or
@@ -57,11 +66,24 @@ class PairFinder {
   /// Untimed: the pairs found, sorted, i < j; a pair reported twice stands there twice.
   virtual std::vector<Pair> download() = 0;
 
+  /// Untimed: the same without a copy, if they lie in the host's memory anyway. Valid until the
+  /// next call of another function.
+  virtual std::span<const Pair> sorted_pairs() {
+    downloaded_ = download();
+    return downloaded_;
+  }
+
   /// Untimed: count and checksum, wherever the pairs are. Works for count_only plans too.
   virtual PairDigest digest() = 0;
 
+  /// What runs with a plan need. Devices have limits of their own, which they know.
+  [[nodiscard]] virtual HostBytes host_bytes(const Plan&, SceneView) const { return {}; }
+
   /// What else it can do on its device; none: it runs on the host, or offers no more.
   virtual DeviceRuns* device_runs() { return nullptr; }
+
+ private:
+  std::vector<Pair> downloaded_;
 };
 
 /// The stages of our own backends. Their order is written here and nowhere else.

@@ -125,7 +125,8 @@ struct Counts {
   std::uint64_t doubts = 0;
   std::uint64_t pairs = 0;
   bool over_candidate_limit = false;
-  Skips used;  // what the data allowed to leave out in this run; the plan has its own
+  Skips used;       // what the data allowed to leave out in this run; the plan has its own
+  int threads = 0;  // that worked: fewer than planned where the system gave no more; 0: not told
   /// What spared this frame a search of all spheres; none: it had one.
   std::optional<Skip> served_by = {};
   /// Set when a fact of the plan, or a condition of its rule, does not hold for the data.

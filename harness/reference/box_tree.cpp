@@ -6,6 +6,7 @@
 #include <array>
 #include <numeric>
 
+#include "harness/memory/available.hpp"
 #include "harness/reference/reference.hpp"
 
 namespace octocell::reference {
@@ -137,7 +138,9 @@ class BoxTree {
 
   void test(std::uint32_t i, std::uint32_t j) {
     if (!flags_.empty() && !allowed(flags_[i], flags_[j])) return;
-    if (overlap(spheres_[i], spheres_[j])) pairs_.push_back(make_pair_of(i, j));
+    if (overlap(spheres_[i], spheres_[j])) {
+      append_within_memory(pairs_, make_pair_of(i, j), "the exact pairs");
+    }
   }
 
   std::span<const SphereType> spheres_;

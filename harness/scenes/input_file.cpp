@@ -47,12 +47,6 @@ void InputFile::read(std::span<std::byte> bytes) {
   }
 }
 
-std::string InputFile::read_all() {
-  std::string text(size_, '\0');
-  read(std::as_writable_bytes(std::span(text)));
-  return text;
-}
-
 void InputFile::refuse(std::string_view message) const {
   throw InputError(fmt::format("{}: {}", path_, message));
 }

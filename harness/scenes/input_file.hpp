@@ -22,7 +22,6 @@ class InputFile {
   [[nodiscard]] std::uint64_t size() const { return size_; }  // bytes
 
   void read(std::span<std::byte> bytes);  // exactly so many, from where the last read ended
-  [[nodiscard]] std::string read_all();
 
   /// Throws InputError "PATH: message".
   [[noreturn]] void refuse(std::string_view message) const;

@@ -11,6 +11,8 @@
 #include <optional>
 #include <span>
 
+#include "harness/memory/available.hpp"
+#include "harness/scenes/line_reader.hpp"
 #include "harness/scenes/load_formats.hpp"
 #include "harness/scenes/text.hpp"
 #include "harness/scenes/validate.hpp"
@@ -127,29 +129,30 @@ Flags flags_in(const InputFile& file, const Line& line, const Fields& fields,
   return make_flags(value(4, 1, 0) == 1, value(5, kMaxGroup, 1), value(6, kMaxMask, kMaxMask));
 }
 
-class LineReader {
+/// Lines apart from their comments.
+class CsvLines {
  public:
-  explicit LineReader(std::string_view text) : rest_(text) {
-    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // spreadsheets write it
-    if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
-  }
+  explicit CsvLines(InputFile& file) : lines_(file) {}
 
   std::optional<Line> next() {
-    const auto raw = next_line(rest_);
+    auto raw = lines_.next();
     if (!raw) return std::nullopt;
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // spreadsheets write it
+    if (lines_.number() == 1 && raw->starts_with(kByteOrderMark)) {
+      raw->remove_prefix(kByteOrderMark.size());
+    }
     const std::size_t mark = std::min(raw->find('#'), raw->size());
     return Line{trim(raw->substr(0, mark)), trim(raw->substr(std::min(mark + 1, raw->size()))),
-                ++number_};
+                lines_.number()};
   }
 
  private:
-  std::string_view rest_;
-  std::size_t number_ = 0;
+  LineReader lines_;
 };
 
 /// Skips to the first sphere's line and returns it, if there is one. The last header before it
 /// counts; numpy.savetxt writes its header as a comment.
-std::optional<Line> skip_header(const InputFile& file, LineReader& lines, Columns& columns) {
+std::optional<Line> skip_header(const InputFile& file, CsvLines& lines, Columns& columns) {
   bool header_seen = false;
   while (const auto line = lines.next()) {
     const bool comment_only = line->text.empty();
@@ -172,8 +175,7 @@ std::optional<Line> skip_header(const InputFile& file, LineReader& lines, Column
 }  // namespace
 
 void load_csv(InputFile& file, Scene& scene) {
-  const std::string text = file.read_all();
-  LineReader lines(text);
+  CsvLines lines(file);
   Columns columns;
   for (auto line = skip_header(file, lines, columns); line; line = lines.next()) {
     if (line->text.empty()) continue;
@@ -181,8 +183,9 @@ void load_csv(InputFile& file, Scene& scene) {
       file.refuse(line->number, fmt::format("more than {} spheres", kMaxSpheres));
     }
     const Fields fields = fields_in(file, *line, columns);
-    scene.spheres.push_back(sphere_in(file, *line, fields, columns));
-    if (columns.hold_flags()) scene.flags.push_back(flags_in(file, *line, fields, columns));
+    append_within_memory(scene.spheres, sphere_in(file, *line, fields, columns), file.path());
+    if (!columns.hold_flags()) continue;
+    append_within_memory(scene.flags, flags_in(file, *line, fields, columns), file.path());
   }
 }
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "harness/memory/available.hpp"
+#include "harness/scenes/line_reader.hpp"
 #include "harness/scenes/load_formats.hpp"
 #include "harness/scenes/text.hpp"
 #include "harness/scenes/validate.hpp"
@@ -66,17 +68,14 @@ bool is_atom(std::string_view line) {
 }  // namespace
 
 std::vector<Sphere> load_pqr(InputFile& file) {
-  const std::string text = file.read_all();
-  std::string_view rest = text;
+  LineReader lines(file);
   std::vector<Sphere> spheres;
-  std::size_t number = 0;
-  while (const auto line = next_line(rest)) {
-    ++number;
+  while (const auto line = lines.next()) {
     if (!is_atom(*line)) continue;
     if (spheres.size() == kMaxSpheres) {
-      file.refuse(number, fmt::format("more than {} spheres", kMaxSpheres));
+      file.refuse(lines.number(), fmt::format("more than {} spheres", kMaxSpheres));
     }
-    spheres.push_back(atom_in(file, {trim(*line), number}));
+    append_within_memory(spheres, atom_in(file, {trim(*line), lines.number()}), file.path());
   }
   if (spheres.empty()) file.refuse("no ATOM and no HETATM record");
   return spheres;

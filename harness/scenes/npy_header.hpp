@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/memory/available.hpp"
 #include "harness/scenes/input_file.hpp"
 
 namespace octocell {
@@ -33,6 +34,7 @@ void check_npy_size(const InputFile& file, const NpyHeader& header, std::size_t 
 template <typename Row>
 std::vector<Row> read_npy_rows(InputFile& file, const NpyHeader& header) {
   check_npy_size(file, header, sizeof(Row));
+  require_memory(static_cast<double>(header.shape[0]) * sizeof(Row), file.path());
   std::vector<Row> rows(header.shape[0]);
   file.read(std::as_writable_bytes(std::span(rows)));
   return rows;

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "harness/interface/error.hpp"
+#include "harness/memory/available.hpp"
 #include "harness/scenes/families.hpp"
 #include "harness/scenes/flag_parameters.hpp"
 #include "harness/scenes/parameters.hpp"
@@ -114,6 +115,9 @@ Scene generate(std::string_view spec, const LoadOptions& options) {
   Scene scene;
   scene.name = info.name;
   scene.spec = fmt::format("{}:{}", info.name, parameters.spelt_out());
+  const double count = static_cast<double>(parameters.whole("n"));
+  const double bytes = sizeof(Sphere) + (options.round_input ? sizeof(DoubleSphere) : 0);
+  require_memory(count * bytes, scene.spec);
   try {
     scene.spheres = info.make(parameters);
     if (options.round_input) scene.unrounded = info.make_unrounded(parameters);

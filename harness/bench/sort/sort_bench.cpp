@@ -15,8 +15,8 @@
 #include "harness/bench/result_file.hpp"
 #include "harness/bench/sort/gpu_rows.hpp"
 #include "harness/bench/sort/sort_rows.hpp"
-#include "harness/driver/memory_guard.hpp"
 #include "harness/interface/error.hpp"
+#include "harness/memory/available.hpp"
 
 namespace octocell::bench {
 namespace {
@@ -99,14 +99,9 @@ constexpr double kBytesPerPair = 40.0;
 /// the program in the middle.
 void require_memory(const std::vector<PlannedCase>& cases) {
   if (cases.empty()) return;
-  constexpr double kGiB = 1073741824.0;
-  const double needed = kBytesPerPair * cases.back().what.n;  // the largest comes last
-  const std::optional<double> available = available_bytes();
-  if (!available || needed <= *available) return;
-  throw LimitError(
-      fmt::format("n={} needs {:.1f} GiB, and {:.1f} GiB are available; --filter "
-                  "chooses smaller cases",
-                  cases.back().what.n, needed / kGiB, *available / kGiB));
+  const double n = cases.back().what.n;  // the largest comes last
+  octocell::require_memory(kBytesPerPair * n,
+                           fmt::format("n={} (--filter chooses smaller cases)", n));
 }
 
 std::optional<std::string> why_skipped(const SortRow& row, const SortCase& what) {
