@@ -159,6 +159,26 @@ TEST_F(Trajectories, AreReadInTheOrderOfTheirNames) {
   EXPECT_EQ(frames[0][3].x, generate("gas:n=10,seed=1").spheres[3].x);
 }
 
+TEST_F(Trajectories, AreReadInTheirNaturalOrder) {
+  const char* const kNames[] = {"f0.npy", "f2.npy", "f10.npy", "f100.npy", "g01.npy", "g10.npy"};
+  for (int k = 5; k >= 0; --k) {
+    save_scene(path(kNames[k]), generate("gas:n=10,seed=" + std::to_string(k)).spheres);
+  }
+  const Frames frames = load_frames(folder_.string());
+  ASSERT_EQ(frames.size(), 6U);
+  for (std::size_t k = 0; k < 6; ++k) {
+    const Scene expected = generate("gas:n=10,seed=" + std::to_string(k));
+    EXPECT_EQ(frames[k][3].x, expected.spheres[3].x) << kNames[k];
+  }
+}
+
+TEST_F(Trajectories, AreNotWhatIsHidden) {
+  write(".hidden.npy", "not an array");
+  write("._f1.npy", "what another system leaves beside a file");
+  save_scene(path("f1.npy"), generate("gas:n=10").spheres);
+  EXPECT_EQ(load_frames(folder_.string()).size(), 1U);
+}
+
 TEST_F(Trajectories, AreRefusedIfEmptyMissingOrOfDifferentLengths) {
   EXPECT_THROW(load_frames(folder_.string()), InputError);
   EXPECT_THROW(load_frames(path("nowhere")), InputError);

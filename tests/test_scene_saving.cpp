@@ -57,30 +57,45 @@ TEST_F(SceneSaving, PairsAreUnsignedRows) {
   EXPECT_EQ(bytes.substr(128), bytes_of(0U, 1U, 7U, 0xfffffffU));
 }
 
+/// Four in a row, at distances 0.5, 1 and 0.
+const Sphere kRow[] = {{0, 0, 0, 0.5F}, {0.5F, 0, 0, 0.5F}, {1.5F, 0, 0, 0.5F}, {1.5F, 0, 0, 0.5F}};
+
 TEST_F(SceneSaving, DepthsAreAListOfFloatsBesideThePairs) {
-  const Pair pairs[] = {{0, 1}, {2, 3}, {2, 4}};
-  const float depths[] = {0.5F, 0.0F, 1.0F};
-  save_depths(path("depths.npy"), depths, path("pairs.npy"), pairs);
+  const Pair pairs[] = {{0, 1}, {1, 2}, {2, 3}};
+  save_depths(path("depths.npy"), kRow, pairs, path("pairs.npy"));
   const std::string bytes = content(path("depths.npy"));
-  ASSERT_EQ(bytes.size(), 128U + sizeof depths);
+  ASSERT_EQ(bytes.size(), 128U + 3 * sizeof(float));
   const std::string dictionary = "{'descr': '<f4', 'fortran_order': False, 'shape': (3,), }";
   EXPECT_EQ(bytes.substr(10, dictionary.size()), dictionary);
   EXPECT_EQ(bytes.substr(128), std::string("\0\0\0\x3f\0\0\0\0\0\0\x80\x3f", 12));
   const std::string both = content(path("pairs.npy"));
   save_pairs(path("pairs.npy"), pairs);
   EXPECT_EQ(both, content(path("pairs.npy")));
-  save_depths(path("alone.npy"), depths);
+  save_depths(path("alone.npy"), kRow, pairs);
   EXPECT_EQ(content(path("alone.npy")), bytes);
   EXPECT_EQ(files_in_folder(), 3U);
 }
 
+TEST_F(SceneSaving, DepthsOfManyPairsAreWrittenInTheirOrder) {
+  constexpr std::size_t kPairs = 100'000;  // more than are computed at a time
+  std::vector<Pair> pairs;
+  for (std::size_t k = 0; k < kPairs; ++k) pairs.push_back({0, k % 3 == 0 ? 1U : 2U});
+  save_depths(path("depths.npy"), kRow, pairs);
+  const std::string bytes = content(path("depths.npy"));
+  ASSERT_EQ(bytes.size(), 128U + kPairs * sizeof(float));
+  for (std::size_t k = 0; k < kPairs; ++k) {
+    float depth = 0.0F;
+    std::memcpy(&depth, &bytes[128 + k * sizeof depth], sizeof depth);
+    ASSERT_EQ(depth, k % 3 == 0 ? 0.5F : -0.5F) << k;
+  }
+}
+
 TEST_F(SceneSaving, DepthsAndPairsAppearBothOrNot) {
   const Pair pairs[] = {{0, 1}};
-  const float depths[] = {0.5F};
   for (const std::string& bad : {path("absent/pairs.npy"), path("pairs.txt"), path("same.npy")}) {
-    EXPECT_THROW(save_depths(path("same.npy"), depths, bad, pairs), InputError) << bad;
+    EXPECT_THROW(save_depths(path("same.npy"), kRow, pairs, bad), InputError) << bad;
     EXPECT_THROW(
-        save_depths(bad == path("same.npy") ? path("x.txt") : bad, depths, path("same.npy"), pairs),
+        save_depths(bad == path("same.npy") ? path("x.txt") : bad, kRow, pairs, path("same.npy")),
         InputError)
         << bad;
     EXPECT_EQ(files_in_folder(), 0U) << bad;

@@ -14,7 +14,10 @@
 #include "harness/bench/progress.hpp"
 #include "harness/bench/results.hpp"
 #include "harness/interface/error.hpp"
+#include "harness/scenes/file_identity.hpp"
+#include "harness/scenes/motion.hpp"
 #include "harness/scenes/scenes.hpp"
+#include "harness/scenes/text.hpp"
 
 namespace octocell::bench {
 namespace {
@@ -22,7 +25,12 @@ namespace {
 constexpr int kExitWrongAnswer = 1;
 constexpr int kExitInterrupted = 130;
 constexpr const char* kExactPairs = "exact pairs";
-constexpr double kDeviceSeconds = 1e-8;  // a sphere, before a row was seen
+
+/// Of a sphere, before a row was seen.
+double guessed_seconds(const BackendInfo& backend) {
+  if (backend.kind == Kind::baseline) return 1e-6;
+  return backend.device ? 1e-8 : 5e-8;
+}
 
 std::regex compile_filter(const BenchOptions& options) {
   try {
@@ -112,7 +120,7 @@ nlohmann::ordered_json describe_group(const Group& group, const Subject& subject
 nlohmann::ordered_json describe_missing(const Group& group) {
   return {{"scene", group.scene},
           {"n", 0},
-          {"spec", group.argument},
+          {"spec", printable(group.argument)},
           {"real", group.real},
           {"unavailable", group.unavailable},
           {"frames", 0},
@@ -130,6 +138,7 @@ class Bench {
         progress_(steps()) {}
 
   int run() {
+    require_inputs_kept();
     results_.make_folder();
     results_.require_writable();
     listen_for_interrupts();
@@ -142,6 +151,23 @@ class Bench {
   }
 
  private:
+  /// Throws InputError if the results would replace a scene, its flags or a frame.
+  void require_inputs_kept() const {
+    std::vector<NamedFile> inputs;
+    const auto add = [&](std::string_view role, const std::string& path) {
+      inputs.push_back({role, path});
+    };
+    for (const auto& [group, rows] : groups_) {
+      if (!group.unavailable.empty()) continue;
+      if (const auto path = file_of(group.argument)) add("a scene", *path);
+      if (group.flags) add("--flags", *group.flags);
+      if (group.trajectory.empty()) continue;
+      for (const std::string& frame : frame_files(group.trajectory)) add("a frame", frame);
+    }
+    const NamedFile output = {"--output", options_.output};
+    require_separate_files(inputs, {&output, 1});
+  }
+
   nlohmann::ordered_json context() const {
     nlohmann::ordered_json context = describe_build_and_machine();
     context["preset"] = options_.scenes.empty() ? options_.preset : "custom";
@@ -168,7 +194,7 @@ class Bench {
       for (const RowSpec& row : rows) {
         steps.push_back({row.how.label(), spheres,
                          (2.0 + 2.0 * group.rounds_of(row.how.is_baseline())) * group.frames});
-        if (row.how.backend->device) steps.back().seconds_per_sphere = kDeviceSeconds;
+        steps.back().seconds_per_sphere = guessed_seconds(*row.how.backend);
       }
     }
     return steps;
@@ -286,7 +312,7 @@ class Bench {
     if (!interrupted()) results_.finish();
     results_.write();
     progress_.note(fmt::format("{}{}", interrupted() ? "interrupted; finished groups are in " : "",
-                               options_.output));
+                               printable(options_.output)));
     if (interrupted()) return kExitInterrupted;
     return any_wrong_ ? kExitWrongAnswer : 0;
   }

@@ -11,6 +11,7 @@
 
 #include "harness/interface/error.hpp"
 #include "harness/scenes/scenes.hpp"
+#include "harness/scenes/text.hpp"
 
 namespace octocell::bench {
 namespace {
@@ -262,7 +263,7 @@ std::vector<Group> custom_groups(const BenchOptions& options) {
   if (options.trajectory.empty()) return groups;
   groups.push_back(trajectory(options.trajectory, 5));
   if (!groups.back().unavailable.empty()) throw InputError(groups.back().unavailable);
-  groups.back().scene = std::filesystem::path(options.trajectory).filename().string();
+  groups.back().scene = printable(std::filesystem::path(options.trajectory).filename().string());
   groups.back().real = false;
   return groups;
 }
@@ -270,7 +271,8 @@ std::vector<Group> custom_groups(const BenchOptions& options) {
 }  // namespace
 
 Footage footage_of(const Group& group) {
-  if (!group.trajectory.empty()) return {group.trajectory, load_frames(group.trajectory), {}};
+  if (!group.trajectory.empty())
+    return {printable(group.trajectory), load_frames(group.trajectory), {}};
   Scene scene =
       load_or_generate(group.argument, {.flags = group.flags, .round_input = group.round_input});
   if (!group.motion) {

@@ -2,15 +2,11 @@
 #include "harness/bench/result_file.hpp"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <span>
 #include <system_error>
 
+#include "harness/bench/json_text.hpp"
 #include "harness/interface/error.hpp"
 #include "harness/scenes/output_file.hpp"
 
@@ -23,24 +19,17 @@ void ResultFile::make_folder() const {
 }
 
 void ResultFile::require_writable() const {
-  struct stat target = {};
-  if (stat(path_.c_str(), &target) == 0) {
-    if (!S_ISREG(target.st_mode)) refuse("not a regular file");
-    if (access(path_.c_str(), W_OK) != 0) refuse(std::strerror(errno));
-    return;
+  std::error_code error;
+  const std::filesystem::file_type type = std::filesystem::status(path_, error).type();
+  using enum std::filesystem::file_type;
+  if (type != regular && type != not_found && type != directory) {
+    throw InputError(fmt::format("cannot write {}: not a regular file", path_));
   }
-  if (errno != ENOENT) refuse(std::strerror(errno));
-  const std::string folder = std::filesystem::path(path_).parent_path().string();
-  if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0) refuse(std::strerror(errno));
-}
-
-void ResultFile::refuse(const char* reason) const {
-  throw InputError(fmt::format("cannot write {}: {}", path_, reason));
+  octocell::require_writable(path_);
 }
 
 void ResultFile::write(const nlohmann::ordered_json& document) const {
-  const std::string text = document.dump(1) + "\n";
-  write_whole_file(path_, {std::as_bytes(std::span(text))});
+  write_whole_file(path_, json_text(document, 1) + "\n");
 }
 
 }  // namespace octocell::bench

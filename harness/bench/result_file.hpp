@@ -23,8 +23,6 @@ class ResultFile {
   void write(const nlohmann::ordered_json& document) const;
 
  private:
-  [[noreturn]] void refuse(const char* reason) const;
-
   std::string path_;
 };
 

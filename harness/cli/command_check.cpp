@@ -5,6 +5,11 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "harness/cli/commands.hpp"
 #include "harness/cli/names.hpp"
@@ -44,7 +49,9 @@ struct Limits {
 
 struct Found {
   Counts counts;
-  std::vector<Pair> pairs;
+  std::span<const Pair> pairs;  // that one of these two holds
+  std::unique_ptr<PairFinder> finder = {};
+  std::vector<Pair> received = {};
 };
 
 /// "12 (3.1 per million, deepest 0.02 of r1 + r2)", "0"
@@ -84,12 +91,15 @@ Found find(const Implementation& how, const Scene& scene, const PlanOptions& opt
            const Limits& limits) {
   if (how.is_baseline()) {
     IsolatedAnswer answer = find_isolated(how.backend->create, scene.view(), options, limits.time);
-    return {std::move(answer.counts), std::move(answer.pairs)};
+    const std::span<const Pair> pairs = answer.pairs;  // they stay where they are
+    return {std::move(answer.counts), pairs, nullptr, std::move(answer.pairs)};
   }
-  const std::unique_ptr<PairFinder> finder = how.backend->create();
+  std::unique_ptr<PairFinder> finder = how.backend->create();
   const Outcome outcome = find_completely(*finder, scene.view(), options);
+  say_if_threads_lack(outcome.plan, outcome.counts);
   if (outcome.counts.over_candidate_limit) return {outcome.counts, {}};
-  return {outcome.counts, finder->download()};
+  const std::span<const Pair> pairs = fetch_pairs(*finder, outcome);
+  return {outcome.counts, pairs, std::move(finder)};
 }
 
 Verdict try_implementation(const Implementation& how, const Scene& scene,

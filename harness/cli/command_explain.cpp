@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "harness/bench/json_text.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/cli/names.hpp"
 #include "harness/driver/complete.hpp"
@@ -123,7 +124,7 @@ int explain_scene(const Options& options) {
   Explanation explanation = explain(stats, outcome.plan, asked, outcome.counts.used);
   if (options.analyze) analyze(explanation, planned, backend, scene.view(), asked);
   if (options.json) {
-    fmt::print("{}\n", to_json(explanation, outcome).dump(2));
+    fmt::print("{}\n", json_text(to_json(explanation, outcome), 2));
   } else {
     fmt::print("{}", to_text(explanation));
   }

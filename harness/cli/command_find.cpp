@@ -4,12 +4,19 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
+#include "harness/bench/json_text.hpp"
 #include "harness/cli/commands.hpp"
+#include "harness/cli/named_files.hpp"
 #include "harness/cli/names.hpp"
 #include "harness/driver/complete.hpp"
 #include "harness/interface/depth.hpp"
 #include "harness/interface/flags.hpp"
+#include "harness/memory/available.hpp"
 #include "harness/planner/explain.hpp"
 #include "harness/reference/reference.hpp"
 #include "harness/registry/registry.hpp"
@@ -81,6 +88,11 @@ struct Answer {
   std::optional<reference::DepthErrors> depth_errors;
 };
 
+int threads_of(const Answer& answer) {
+  if (!answer.implementation.backend->threaded) return 1;
+  return answer.outcome.counts.threads;
+}
+
 nlohmann::ordered_json to_json(const Answer& answer) {
   const Implementation& how = answer.implementation;
   nlohmann::ordered_json json = {
@@ -95,7 +107,7 @@ nlohmann::ordered_json to_json(const Answer& answer) {
        how.has_rule() ? nlohmann::ordered_json(name_of(how.rule)) : nlohmann::ordered_json()},
       {"predicate", how.is_baseline() ? nlohmann::ordered_json()
                                       : nlohmann::ordered_json(name_of(how.predicate))},
-      {"threads", how.backend->threaded ? answer.outcome.plan.threads : 1},
+      {"threads", threads_of(answer)},
       {"pairs", answer.digest.count},
       {"checksum", fmt::format("{:#018x}", answer.digest.checksum)},
       {"candidates", answer.outcome.counts.candidates},
@@ -123,7 +135,7 @@ nlohmann::ordered_json to_json(const Answer& answer) {
 
 void print_text(const Answer& answer) {
   const Implementation& how = answer.implementation;
-  const int threads = how.backend->threaded ? answer.outcome.plan.threads : 1;
+  const int threads = threads_of(answer);
   fmt::print("scene       {} ({} spheres{})\n", answer.scene.spec, answer.scene.spheres.size(),
              answer.scene.flags.empty()
                  ? ""
@@ -167,25 +179,29 @@ void check_outputs(const Options& options) {
   if (options.count && (options.depth || options.depth_check)) {
     throw InputError("--count keeps no pairs, so there are no depths to write or to check");
   }
+  NamedFiles files;
+  files.read_scene(options.scene, options.flags);
+  files.write("--output", options.output);
+  files.write("--depth", options.depth);
+  files.require_separate();
+  if (options.output) require_savable_list(*options.output);
+  if (options.depth) require_savable_list(*options.depth);
 }
 
 /// Writes what is asked for. Depths follow from the pairs alone, whoever found them.
 std::optional<reference::DepthErrors> use_pairs(const Options& options, const Scene& scene,
-                                                PairFinder& finder) {
+                                                PairFinder& finder, const Outcome& outcome) {
   if (!options.output && !options.depth && !options.depth_check) return std::nullopt;
-  const std::vector<Pair> pairs = finder.download();
-  if (!options.depth && !options.depth_check) {
-    save_pairs(*options.output, pairs);
-    return std::nullopt;
-  }
-  const std::vector<float> depths = penetration_depths(scene.spheres, pairs);
+  const std::span<const Pair> pairs = fetch_pairs(finder, outcome);
   if (options.depth) {
-    save_depths(*options.depth, depths, options.output.value_or(""), pairs);
+    save_depths(*options.depth, scene.spheres, pairs, options.output.value_or(""));
   } else if (options.output) {
     save_pairs(*options.output, pairs);
   }
   if (!options.depth_check) return std::nullopt;
-  return reference::depth_errors(depths, pairs, scene.spheres);
+  constexpr double kBytesPerDepth = sizeof(float) + sizeof(double);  // and its error
+  require_memory(kBytesPerDepth * static_cast<double>(pairs.size()), "--depth-check");
+  return reference::depth_errors(penetration_depths(scene.spheres, pairs), pairs, scene.spheres);
 }
 
 int find(const Options& options) {
@@ -199,8 +215,9 @@ int find(const Options& options) {
       load_or_generate(options.scene, {.flags = options.flags, .round_input = options.round_input});
   const std::unique_ptr<PairFinder> finder = how.backend->create();
   const Outcome outcome = find_completely(*finder, scene.view(), plan_options);
+  say_if_threads_lack(outcome.plan, outcome.counts);
   require_used(plan_options.forced, outcome.counts.used);
-  const auto depth_errors = use_pairs(options, scene, *finder);
+  const auto depth_errors = use_pairs(options, scene, *finder, outcome);
 
   const Answer answer = {.scene = scene,
                          .implementation = how,
@@ -214,7 +231,7 @@ int find(const Options& options) {
         to_text(explain(measure(scene.view()), outcome.plan, plan_options, outcome.counts.used)));
   }
   if (options.json) {
-    fmt::print("{}\n", to_json(answer).dump(2));
+    fmt::print("{}\n", json_text(to_json(answer), 2));
   } else {
     print_text(answer);
   }

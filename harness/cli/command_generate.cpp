@@ -2,11 +2,15 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "harness/cli/commands.hpp"
+#include "harness/cli/named_files.hpp"
 #include "harness/cli/names.hpp"
 #include "harness/scenes/save.hpp"
 #include "harness/scenes/scenes.hpp"
+#include "harness/scenes/text.hpp"
 
 namespace octocell::cli {
 namespace {
@@ -19,11 +23,24 @@ struct Options {
   bool round_input = false;
 };
 
+/// Before anything is read or made.
+void check_files(const Options& options) {
+  NamedFiles files;
+  files.read_scene(options.scene, options.flags);
+  files.write("--output", options.output);
+  files.write("--flags-output", options.flags_output);
+  files.require_separate();
+  require_savable_scene(options.output);
+  if (!options.flags_output.empty()) require_savable_list(options.flags_output);
+}
+
 int generate_scene(const Options& options) {
+  check_files(options);
   const Scene scene =
       load_or_generate(options.scene, {.flags = options.flags, .round_input = options.round_input});
   save_scene(options.output, scene.view(), options.flags_output);
-  fmt::print("{}: {} spheres from {}\n", options.output, scene.spheres.size(), scene.spec);
+  fmt::print("{}: {} spheres from {}\n", printable(options.output), scene.spheres.size(),
+             scene.spec);
   return 0;
 }
 

@@ -9,6 +9,7 @@
 #include "harness/bench/result_file.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/cli/names.hpp"
+#include "harness/scenes/text.hpp"
 #include "harness/stress/run.hpp"
 
 namespace octocell::cli {
@@ -171,7 +172,7 @@ int run_stress(const Options& options) {
 
   const auto failures = std::ranges::count_if(rows, &Row::failed);
   fmt::print("{} entries, {} rows, {} failures; {}\n", entries.size(), rows.size(), failures,
-             options.output);
+             printable(options.output));
   if (bench::interrupted()) return kExitInterrupted;
   return failures == 0 ? 0 : kExitWrongAnswer;
 }

@@ -4,29 +4,22 @@
 #include <fmt/ranges.h>
 
 #include <cstdio>
+#include <exception>
 #include <iostream>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "harness/cli/commands.hpp"
+#include "harness/cli/endings.hpp"
 #include "harness/interface/error.hpp"
 
 namespace {
 
 using namespace octocell;
 
-/// One line, whatever names the caller chose: line breaks and the like are shown, not obeyed.
-int complain(std::string_view what, int exit_code) {
-  std::string line;
-  for (const char c : what) {
-    const auto code = static_cast<unsigned char>(c);
-    line += code < 0x20 || code == 0x7f ? fmt::format("\\x{:02x}", code) : std::string(1, c);
-  }
-  fmt::print(stderr, "octocell: {}\n", line);
-  return exit_code;
-}
-
 int complain_of_output() {
-  return complain("standard output: could not be written", cli::kExitBadInput);
+  return cli::complain("standard output: could not be written", cli::kExitBadInput);
 }
 
 int require_output(int exit_code) {
@@ -70,23 +63,28 @@ int parse_and_run(int argc, char** argv) {
   } catch (const CLI::Success& asked_for_help) {
     return require_output(app.exit(asked_for_help));
   } catch (const CLI::ParseError& error) {
-    return complain(describe(error, app, argc, argv), cli::kExitBadInput);
+    return cli::complain(describe(error, app, argc, argv), cli::kExitBadInput);
   }
   return require_output(command());
+}
+
+int run(int argc, char** argv) {
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const octocell::Error& error) {
+    return cli::complain(error.what(), cli::kExitBadInput);
+  } catch (const std::bad_alloc&) {
+    return cli::complain("not enough memory for this scene", cli::kExitBadInput);
+  } catch (const std::exception& error) {
+    // Long output fails on the way, in fmt's words, not at the end.
+    if (std::ferror(stdout) != 0) return complain_of_output();
+    return cli::complain(error.what(), cli::kExitBadInput);
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return parse_and_run(argc, argv);
-  } catch (const octocell::Error& error) {
-    return complain(error.what(), octocell::cli::kExitBadInput);
-  } catch (const std::bad_alloc&) {
-    return complain("not enough memory for this scene", octocell::cli::kExitBadInput);
-  } catch (const std::exception& error) {
-    // Long output fails on the way, in fmt's words, not at the end.
-    if (std::ferror(stdout) != 0) return complain_of_output();
-    return complain(error.what(), octocell::cli::kExitBadInput);
-  }
+  octocell::cli::keep_promised_exit_codes();
+  return octocell::cli::leave(run(argc, argv));
 }

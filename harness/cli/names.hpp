@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <span>
 #include <string_view>
 #include <thread>
@@ -122,6 +123,15 @@ inline int thread_count(int asked) {
         fmt::format("--threads {}: must be 1 to {}, or 0 for all", asked, kMaxThreads));
   }
   return asked != 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+/// Says on stderr, once, if a run had fewer threads than it was asked to have.
+inline void say_if_threads_lack(const Plan& plan, const Counts& counts) {
+  static bool is_said = false;
+  if (is_said || counts.threads == 0 || counts.threads >= plan.threads) return;
+  is_said = true;
+  fmt::print(stderr, "octocell: {} threads were asked for, the system gave {}\n", plan.threads,
+             counts.threads);
 }
 
 inline std::chrono::duration<double> time_limit(double seconds) {

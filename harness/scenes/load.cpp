@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <new>
+#include <optional>
+#include <utility>
 
 #include "harness/interface/error.hpp"
 #include "harness/scenes/load_formats.hpp"
@@ -21,6 +24,19 @@ bool is_known(std::string_view extension) {
   return extension == ".npy" || extension == ".csv" || extension == ".pqr";
 }
 
+/// The formats that octocell-import reads and octocell does not.
+bool is_importers(std::string_view extension) {
+  constexpr std::string_view kExtensions[] = {".gro",  ".pdb", ".ent",      ".xyz", ".extxyz",
+                                              ".data", ".lmp", ".lammps",   ".ply", ".trr",
+                                              ".dump", ".gz",  ".lammpstrj"};
+  return std::ranges::find(kExtensions, extension) != std::end(kExtensions);
+}
+
+std::string words_for_importer(const std::string& path) {
+  const std::string stem = std::filesystem::path(path).stem().string();
+  return fmt::format("octocell-import reads this format: octocell-import {} -o {}.npy", path, stem);
+}
+
 void load_by_extension(InputFile& file, const LoadOptions& options, Scene& scene) {
   const std::string extension = extension_of(file.path());
   if (extension == ".npy") return load_npy(file, options, scene);
@@ -32,6 +48,7 @@ void load_by_extension(InputFile& file, const LoadOptions& options, Scene& scene
     scene.spheres = load_pqr(file);
     return;
   }
+  if (is_importers(extension)) file.refuse(words_for_importer(file.path()));
   file.refuse(fmt::format("extension {}, expected .npy, .csv or .pqr", quote(extension)));
 }
 
@@ -43,7 +60,7 @@ void add_side_file(Scene& scene, const LoadOptions& options) {
     file.refuse(fmt::format("{} has flags of its own; only one can count", scene.spec));
   }
   scene.flags = load_flags(file, scene.spheres.size());
-  scene.spec += " --flags " + *options.flags;
+  scene.spec += " --flags " + printable(*options.flags);
 }
 
 bool is_generator(std::string_view spec) {
@@ -54,7 +71,9 @@ bool is_generator(std::string_view spec) {
 }
 
 bool names_a_file(const std::string& argument) {
-  if (argument.find('/') != std::string::npos || is_known(extension_of(argument))) return true;
+  const std::string extension = extension_of(argument);
+  const bool is_files = is_known(extension) || is_importers(extension);
+  if (argument.find('/') != std::string::npos || is_files) return true;
   std::error_code ignored;
   return !is_generator(argument) && std::filesystem::exists(argument, ignored);
 }
@@ -64,8 +83,8 @@ bool names_a_file(const std::string& argument) {
 Scene load_scene(const std::string& path, const LoadOptions& options) {
   InputFile file(path);
   Scene scene;
-  scene.name = std::filesystem::path(path).stem().string();
-  scene.spec = path;
+  scene.name = printable(std::filesystem::path(path).stem().string());
+  scene.spec = printable(path);
   try {
     load_by_extension(file, options, scene);
     add_side_file(scene, options);
@@ -75,10 +94,14 @@ Scene load_scene(const std::string& path, const LoadOptions& options) {
   return scene;
 }
 
+std::optional<std::string> file_of(std::string_view scene_argument) {
+  std::string argument(scene_argument);
+  return names_a_file(argument) ? std::optional(std::move(argument)) : std::nullopt;
+}
+
 Scene load_or_generate(std::string_view scene_argument, const LoadOptions& options) {
-  const std::string argument(scene_argument);
-  if (names_a_file(argument)) return load_scene(argument, options);
-  Scene scene = generate(argument, options);
+  if (const auto path = file_of(scene_argument)) return load_scene(*path, options);
+  Scene scene = generate(scene_argument, options);
   add_side_file(scene, options);
   return scene;
 }

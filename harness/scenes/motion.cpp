@@ -5,17 +5,21 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <limits>
+#include <system_error>
 
 #include "harness/interface/error.hpp"
 #include "harness/interface/flags.hpp"
+#include "harness/memory/available.hpp"
 #include "harness/scenes/portable_math.hpp"
 
 namespace octocell {
 namespace {
 
-constexpr double kStep = 0.0577;        // of the radius: at most 0.1 radii in three dimensions
+constexpr double kStep = 0.0577;  // of the radius: at most 0.1 radii in three dimensions
 constexpr double kSlowStep = kStep / 10.0;
 constexpr double kFewMove = 0.1;        // of all spheres
 constexpr double kAcceleration = 0.02;  // of the largest radius, a frame and frame
@@ -134,6 +138,8 @@ Motion motion_named(std::string_view name) {
 
 Frames move(const std::vector<Sphere>& start, Motion motion, int count, std::uint64_t seed,
             std::span<const Flags> flags) {
+  const double bytes = static_cast<double>(count) * sizeof(Sphere) + sizeof(Body);
+  require_memory(static_cast<double>(start.size()) * bytes, fmt::format("{} frames", count));
   World world = world_of(start);
   Random random(seed);
   Frames frames = {start};
@@ -162,17 +168,24 @@ Frames move(const std::vector<Sphere>& start, Motion motion, int count, std::uin
   return frames;
 }
 
-Frames load_frames(const std::string& folder) {
+std::vector<std::string> frame_files(const std::string& folder) {
   std::vector<std::string> files;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    if (entry.path().extension() == ".npy") files.push_back(entry.path().string());
+    const bool is_hidden = entry.path().filename().string().starts_with('.');
+    if (!is_hidden && entry.path().extension() == ".npy") files.push_back(entry.path().string());
   }
   if (error) throw InputError(fmt::format("{}: {}", folder, error.message()));
   if (files.empty()) throw InputError(fmt::format("{}: holds no frames (*.npy)", folder));
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files, [](const std::string& a, const std::string& b) {
+    return ::strverscmp(a.c_str(), b.c_str()) < 0;
+  });
+  return files;
+}
+
+Frames load_frames(const std::string& folder) {
   Frames frames;
-  for (const std::string& file : files) {
+  for (const std::string& file : frame_files(folder)) {
     frames.push_back(load_scene(file).spheres);
     if (frames.back().size() == frames.front().size()) continue;
     throw InputError(fmt::format("{}: {} spheres, but the first frame has {}", file,

@@ -36,8 +36,11 @@ using Frames = std::vector<std::vector<Sphere>>;
 Frames move(const std::vector<Sphere>& start, Motion motion, int count, std::uint64_t seed,
             std::span<const Flags> flags = {});
 
-/// Every *.npy of a folder, in the order of their names. Throws InputError if there is none, or if
-/// the frames hold different numbers of spheres.
+/// Every *.npy of a folder that is not hidden, in the natural order of their names: f2 before f10.
+/// Throws InputError if there is none.
+std::vector<std::string> frame_files(const std::string& folder);
+
+/// What they hold. Throws InputError if the frames hold different numbers of spheres.
 Frames load_frames(const std::string& folder);
 
 }  // namespace octocell

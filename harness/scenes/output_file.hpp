@@ -1,28 +1,32 @@
 // SPDX-License-Identifier: MIT
+// The one way in which this program writes a file.
 #pragma once
 
 #include <cstddef>
-#include <initializer_list>
+#include <functional>
 #include <span>
 #include <string>
-#include <vector>
+#include <string_view>
 
 namespace octocell {
 
+/// Takes the next bytes of a file.
+using ByteSink = std::function<void(std::span<const std::byte>)>;
+
 struct FileToWrite {
   std::string path;
-  std::vector<std::span<const std::byte>> parts;  // one after another
+  std::function<void(const ByteSink&)> write;  // hands on all bytes, piece by piece
 };
 
-/// Regular files are written whole or not at all: none takes its place before all are complete.
-/// Anything else (a device, a pipe) is written directly, and first. Throws InputError "cannot write
-/// PATH: reason".
+/// Writes regular files whole or not at all: none takes its place before all are complete, and
+/// what stood there keeps its permissions and its owner. Links are followed. Anything else (a
+/// device, a pipe) is written directly, and first. Throws InputError "cannot write PATH: reason".
 void write_whole_files(std::span<const FileToWrite> files);
 
-inline void write_whole_file(const std::string& path,
-                             std::initializer_list<std::span<const std::byte>> parts) {
-  const FileToWrite file = {path, parts};
-  write_whole_files({&file, 1});
-}
+void write_whole_file(const std::string& path, std::string_view text);
+
+/// Throws InputError if write_whole_files() would have no chance, and leaves all as it was: for
+/// commands that have much to do before they write.
+void require_writable(const std::string& path);
 
 }  // namespace octocell

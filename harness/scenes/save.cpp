@@ -3,10 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <filesystem>
 #include <iterator>
+#include <utility>
+#include <vector>
 
+#include "harness/interface/depth.hpp"
 #include "harness/interface/error.hpp"
 #include "harness/interface/flags.hpp"
 #include "harness/scenes/npy_header.hpp"
@@ -38,12 +42,6 @@ void check_name(const std::string& path, Csv csv) {
                   csv == Csv::possible ? " or .csv, which say the format" : ", the format is NPY"));
 }
 
-void check_two_files(const std::string& path, const std::string& other, std::string_view what) {
-  namespace fs = std::filesystem;
-  if (fs::path(path).lexically_normal() != fs::path(other).lexically_normal()) return;
-  throw InputError(fmt::format("cannot write {}: {} need a file each", path, what));
-}
-
 void check_flags(const std::string& path, SceneView scene, const std::string& flags_path) {
   if (flags_path.empty() && !scene.flags.empty() && !is_csv(path)) {
     throw InputError(fmt::format(
@@ -51,7 +49,6 @@ void check_flags(const std::string& path, SceneView scene, const std::string& fl
         "them, and .csv has columns",
         path));
   }
-  check_two_files(path, flags_path, "spheres and flags");
 }
 
 std::string table_header(std::string_view descr, std::size_t rows, std::size_t columns) {
@@ -62,69 +59,105 @@ std::string list_header(std::string_view descr, std::size_t count) {
   return npy_header_bytes(descr, fmt::format("({},)", count));
 }
 
-std::string pairs_header(std::span<const Pair> pairs) {
-  return table_header("<u4", pairs.size(), 2);
-}
+/// So much of a file is made at a time.
+constexpr std::size_t kRowsAtOnce = 1 << 14;
 
-/// Shortest decimals that are read as the same floats.
-std::string csv_of(std::span<const Sphere> spheres, std::span<const Flags> flags) {
-  fmt::memory_buffer text;
+/// Rows [begin, end) in shortest decimals that are read as the same floats.
+void append_csv(fmt::memory_buffer& text, SceneView scene, std::size_t begin, std::size_t end) {
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "x,y,z,r{}\n", flags.empty() ? "" : ",static,group,mask");
-  for (std::size_t i = 0; i < spheres.size(); ++i) {
-    const Sphere& s = spheres[i];
+  for (std::size_t i = begin; i < end; ++i) {
+    const Sphere& s = scene.spheres[i];
     fmt::format_to(out, "{},{},{},{}", s.x, s.y, s.z, s.r);
-    if (!flags.empty()) {
-      fmt::format_to(out, ",{},{},{}", is_static(flags[i]) ? 1 : 0, group_of(flags[i]),
-                     mask_of(flags[i]));
+    if (!scene.flags.empty()) {
+      const Flags f = scene.flags[i];
+      fmt::format_to(out, ",{},{},{}", is_static(f) ? 1 : 0, group_of(f), mask_of(f));
     }
     text.push_back('\n');
   }
-  return fmt::to_string(text);
+}
+
+FileToWrite csv_file(const std::string& path, SceneView scene) {
+  return {path, [scene](const ByteSink& sink) {
+            fmt::memory_buffer text;
+            fmt::format_to(std::back_inserter(text), "x,y,z,r{}\n",
+                           scene.flags.empty() ? "" : ",static,group,mask");
+            for (std::size_t begin = 0; begin < scene.spheres.size(); begin += kRowsAtOnce) {
+              append_csv(text, scene, begin, std::min(begin + kRowsAtOnce, scene.spheres.size()));
+              sink(std::as_bytes(std::span(text.data(), text.size())));
+              text.clear();
+            }
+            sink(std::as_bytes(std::span(text.data(), text.size())));
+          }};
+}
+
+template <typename Row>
+FileToWrite npy_file(const std::string& path, std::string header, std::span<const Row> rows) {
+  return {path, [header = std::move(header), rows](const ByteSink& sink) {
+            sink(std::as_bytes(std::span(header)));
+            sink(std::as_bytes(rows));
+          }};
+}
+
+FileToWrite pairs_file(const std::string& path, std::span<const Pair> pairs) {
+  return npy_file(path, table_header("<u4", pairs.size(), 2), pairs);
+}
+
+FileToWrite depths_file(const std::string& path, std::span<const Sphere> spheres,
+                        std::span<const Pair> pairs) {
+  return {path, [=](const ByteSink& sink) {
+            const std::string header = list_header("<f4", pairs.size());
+            sink(std::as_bytes(std::span(header)));
+            for (std::size_t begin = 0; begin < pairs.size(); begin += kRowsAtOnce) {
+              const auto some = pairs.subspan(begin, std::min(kRowsAtOnce, pairs.size() - begin));
+              const std::vector<float> depths = penetration_depths(spheres, some);
+              sink(std::as_bytes(std::span(depths)));
+            }
+          }};
 }
 
 }  // namespace
+
+void require_savable_scene(const std::string& path) {
+  check_name(path, Csv::possible);
+  require_writable(path);
+}
+
+void require_savable_list(const std::string& path) {
+  check_name(path, Csv::never);
+  require_writable(path);
+}
 
 void save_scene(const std::string& path, SceneView scene, const std::string& flags_path) {
   check_name(path, Csv::possible);
   check_flags(path, scene, flags_path);
   std::vector<FileToWrite> files;
-  const std::string begin =
-      is_csv(path)
-          ? csv_of(scene.spheres, flags_path.empty() ? scene.flags : std::span<const Flags>())
-          : table_header("<f4", scene.spheres.size(), 4);
-  files.push_back({path, {std::as_bytes(std::span(begin))}});
-  if (!is_csv(path)) files.back().parts.push_back(std::as_bytes(scene.spheres));
+  if (is_csv(path)) {
+    files.push_back(csv_file(path, flags_path.empty() ? scene : SceneView{scene.spheres}));
+  } else {
+    files.push_back(npy_file(path, table_header("<f4", scene.spheres.size(), 4), scene.spheres));
+  }
   if (flags_path.empty()) return write_whole_files(files);
 
   check_name(flags_path, Csv::never);
-  const std::string header = list_header("<u4", scene.spheres.size());
   const std::vector<Flags> none(scene.flags.empty() ? scene.spheres.size() : 0);
-  files.push_back(
-      {flags_path,
-       {std::as_bytes(std::span(header)),
-        std::as_bytes(scene.flags.empty() ? std::span<const Flags>(none) : scene.flags)}});
+  files.push_back(npy_file(flags_path, list_header("<u4", scene.spheres.size()),
+                           scene.flags.empty() ? std::span<const Flags>(none) : scene.flags));
   write_whole_files(files);
 }
 
 void save_pairs(const std::string& path, std::span<const Pair> pairs) {
   check_name(path, Csv::never);
-  const std::string header = pairs_header(pairs);
-  write_whole_file(path, {std::as_bytes(std::span(header)), std::as_bytes(pairs)});
+  const FileToWrite file = pairs_file(path, pairs);
+  write_whole_files({&file, 1});
 }
 
-void save_depths(const std::string& path, std::span<const float> depths,
-                 const std::string& pairs_path, std::span<const Pair> pairs) {
+void save_depths(const std::string& path, std::span<const Sphere> spheres,
+                 std::span<const Pair> pairs, const std::string& pairs_path) {
   check_name(path, Csv::never);
-  const std::string header = list_header("<f4", depths.size());
-  std::vector<FileToWrite> files = {
-      {path, {std::as_bytes(std::span(header)), std::as_bytes(depths)}}};
-  const std::string header_of_pairs = pairs_header(pairs);
+  std::vector<FileToWrite> files = {depths_file(path, spheres, pairs)};
   if (!pairs_path.empty()) {
     check_name(pairs_path, Csv::never);
-    check_two_files(path, pairs_path, "depths and pairs");
-    files.push_back(
-        {pairs_path, {std::as_bytes(std::span(header_of_pairs)), std::as_bytes(pairs)}});
+    files.push_back(pairs_file(pairs_path, pairs));
   }
   write_whole_files(files);
 }

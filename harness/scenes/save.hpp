@@ -24,9 +24,13 @@ inline void save_scene(const std::string& path, std::span<const Sphere> spheres)
 }
 void save_pairs(const std::string& path, std::span<const Pair> pairs);
 
-/// The depth of each pair, in their order, float32 (m,), and the pairs, unless `pairs_path` is
-/// empty.
-void save_depths(const std::string& path, std::span<const float> depths,
-                 const std::string& pairs_path = {}, std::span<const Pair> pairs = {});
+/// Writes the depth of each pair, in their order, float32 (m,), and the pairs, unless `pairs_path`
+/// is empty. Depths are computed while they are written: they need no memory.
+void save_depths(const std::string& path, std::span<const Sphere> spheres,
+                 std::span<const Pair> pairs, const std::string& pairs_path = {});
+
+/// Throws what the functions above would throw for this path, as far as it is known beforehand.
+void require_savable_scene(const std::string& path);
+void require_savable_list(const std::string& path);  // pairs, depths or flags
 
 }  // namespace octocell

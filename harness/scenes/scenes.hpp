@@ -27,6 +27,7 @@ inline Sphere rounded(const DoubleSphere& s) {
 }
 
 struct Scene {
+  // Both are printable: bytes of a path that cannot be shown are escaped.
   std::string name;  // of the generator, or the file's name without folder and extension
   std::string spec;  // gives the same scene again: every parameter spelt out, or the file's path
   std::vector<Sphere> spheres;
@@ -82,6 +83,9 @@ Scene generate(std::string_view spec, const LoadOptions& options = {});
 /// Reads .npy, .csv or .pqr, whichever the path's extension says. All spheres are valid.
 /// Throws InputError with the path and, where there is one, the line or the sphere.
 Scene load_scene(const std::string& path, const LoadOptions& options = {});
+
+/// The path, if that argument names a file and no generator.
+std::optional<std::string> file_of(std::string_view scene_argument);
 
 /// An argument with a '/', or with a known extension, or that names a file, is a file; but the
 /// name of a generator always means the generator (./gas means the file). Throws as both above.

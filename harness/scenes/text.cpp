@@ -1,24 +1,59 @@
 // SPDX-License-Identifier: MIT
 #include "harness/scenes/text.hpp"
-#include "harness/interface/faults.hpp"
 
 #include <fmt/format.h>
 
+#include <boost/locale/utf.hpp>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <system_error>
 
 namespace octocell {
+
+namespace {
+
+std::string escaped(char byte) {
+  return fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+}
+
+/// Neither a control character, nor a mark that turns the direction of what follows.
+bool is_shown(boost::locale::utf::code_point point) {
+  const auto is_from = [point](std::uint32_t first, std::uint32_t last) {
+    return point >= first && point <= last;
+  };
+  return boost::locale::utf::is_valid_codepoint(point) && point >= 0x20 && !is_from(0x7f, 0x9f) &&
+         !is_from(0x2028, 0x202e) && !is_from(0x2066, 0x2069);
+}
+
+}  // namespace
 
 std::string quote(std::string_view text) {
   constexpr std::size_t kLongest = 60;
   std::string quoted = "'";
   for (const char c : text.substr(0, kLongest)) {
     const bool printable = c >= ' ' && c <= '~';
-    quoted +=
-        printable ? std::string(1, c) : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    quoted += printable ? std::string(1, c) : escaped(c);
   }
   return quoted + (text.size() > kLongest ? "...'" : "'");
+}
+
+std::string printable(std::string_view text) {
+  using Utf8 = boost::locale::utf::utf_traits<char>;
+  std::string shown;
+  for (auto next = text.begin(); next != text.end();) {
+    auto end = next;
+    const boost::locale::utf::code_point point = Utf8::decode(end, text.end());
+    if (!boost::locale::utf::is_valid_codepoint(point)) end = next + 1;  // one byte that is none
+    if (is_shown(point)) {
+      shown.append(next, end);
+    } else {
+      for (auto byte = next; byte != end; ++byte) shown += escaped(*byte);
+    }
+    next = end;
+  }
+  return shown;
 }
 
 std::string_view trim(std::string_view text) {
@@ -47,15 +82,6 @@ DecimalFloat parse_float(std::string_view text) {
   // Out of range is said of too large numbers and of tiny ones, which strtof rounds correctly.
   value = std::strtof(std::string(text).c_str(), nullptr);
   return {std::isinf(value) ? too_large : number, value};
-}
-
-std::optional<std::string_view> next_line(std::string_view& rest) {
-  if (OCTOCELL_FAULT(text_last_line_lost, rest.find('\n') == std::string_view::npos, rest.empty()))
-    return std::nullopt;
-  const std::size_t end = rest.find('\n');
-  const std::string_view line = rest.substr(0, end);
-  rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-  return line;
 }
 
 }  // namespace octocell

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reading numbers and lines from text files, and showing their text in messages.
+// Reading numbers from text files, and showing their text in messages.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,6 +9,10 @@ namespace octocell {
 
 /// `text` in quotes, short, with anything but printable ASCII escaped: safe on a terminal.
 std::string quote(std::string_view text);
+
+/// `text` as it may be shown: line breaks, other control characters and bytes that are not UTF-8
+/// are escaped as \xNN, so that no name makes two lines, moves a cursor or spoils JSON.
+std::string printable(std::string_view text);
 
 std::string_view trim(std::string_view text);  // blanks, tabs and carriage returns
 
@@ -22,8 +25,5 @@ struct DecimalFloat {
   float value;  // of a number; "nan" and "inf" are numbers here
 };
 DecimalFloat parse_float(std::string_view text);
-
-/// The next line without its end, or nothing after the last; `rest` moves past it.
-std::optional<std::string_view> next_line(std::string_view& rest);
 
 }  // namespace octocell

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "harness/cli/endings.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
+
+#include "harness/cli/commands.hpp"
+#include "harness/scenes/text.hpp"
+
+namespace octocell::cli {
+namespace {
+
+bool is_leaving = false;
+
+void at_exit() {
+  if (is_leaving) return;
+  std::fflush(nullptr);
+  _exit(kExitBadInput);  // the library has said why
+}
+
+[[noreturn]] void at_terminate() {
+  try {
+    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+    complain("ended without a reason", kExitBadInput);
+  } catch (const std::bad_alloc&) {
+    complain("not enough memory for this scene", kExitBadInput);
+  } catch (const std::exception& error) {
+    complain(error.what(), kExitBadInput);
+  } catch (...) {
+    complain("ended by an unknown exception", kExitBadInput);
+  }
+  std::fflush(nullptr);
+  _exit(kExitBadInput);
+}
+
+}  // namespace
+
+int complain(std::string_view what, int exit_code) {
+  fmt::print(stderr, "octocell: {}\n", printable(what));
+  return exit_code;
+}
+
+void keep_promised_exit_codes() {
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::set_terminate(at_terminate);
+  std::atexit(at_exit);
+}
+
+int leave(int exit_code) {
+  is_leaving = true;
+  return exit_code;
+}
+
+}  // namespace octocell::cli

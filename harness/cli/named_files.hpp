@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The files of a command line. Each command names what it reads and what it writes before it
+// begins, so that nothing is computed for a file that cannot be written, and no input is lost.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/scenes/file_identity.hpp"
+#include "harness/scenes/motion.hpp"
+#include "harness/scenes/scenes.hpp"
+
+namespace octocell::cli {
+
+class NamedFiles {
+ public:
+  void read_scene(std::string_view argument, const std::optional<std::string>& flags = {}) {
+    if (auto path = file_of(argument)) inputs_.push_back({"SCENE", std::move(*path)});
+    if (flags) inputs_.push_back({"--flags", *flags});
+  }
+  void read_frames(const std::string& folder) {
+    if (folder.empty()) return;
+    for (const std::string& file : frame_files(folder)) inputs_.push_back({"--trajectory", file});
+  }
+  void write(std::string_view option, const std::optional<std::string>& path) {
+    if (path && !path->empty()) outputs_.push_back({option, *path});
+  }
+  /// Throws InputError where writing would lose a file.
+  void require_separate() const { require_separate_files(inputs_, outputs_); }
+
+ private:
+  std::vector<NamedFile> inputs_;
+  std::vector<NamedFile> outputs_;
+};
+
+}  // namespace octocell::cli
