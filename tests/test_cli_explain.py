@@ -64,6 +64,36 @@ def test_analyze_measures_what_is_taken(octocell: Octocell) -> None:
         assert (decision["measured_saving"] is not None) == decision["taken"]
 
 
+LARGE_AMONG_SMALL = "giant:n=100000,size=1"
+
+
+def test_a_choice_that_costs_much_is_warned_of(octocell: Octocell) -> None:
+    assert explained(octocell, LARGE_AMONG_SMALL)["warnings"] == []
+    asked = ("--rule", "chapter32")
+    (warning,) = explained(octocell, LARGE_AMONG_SMALL, *asked)["warnings"]
+    times = re.search(r"rule chapter32 is expected to cost (\d+) times", warning)
+    assert times and int(times[1]) > 20, warning
+    assert "half_shell" in warning and "leave out --rule" in warning
+    for command in ("explain", "find"):
+        flags = ("--explain",) if command == "find" else ()
+        done = octocell.ok(command, LARGE_AMONG_SMALL, *asked, *flags)
+        assert f"warning: {warning}\n" in (done.stderr if flags else done.stdout)
+
+
+def test_a_choice_that_costs_little_is_not(octocell: Octocell) -> None:
+    for choice in (("--rule", "chapter32"), ("--cell-side", "2"), ("--method", "half_shell")):
+        assert explained(octocell, "gas:n=20000", *choice)["warnings"] == []
+    (warning,) = explained(octocell, "gas:n=20000", "--cell-side", "100")["warnings"]
+    assert "cell side 100" in warning and "--cell-side" in warning
+
+
+def test_rules_are_of_home_phantom(octocell: Octocell, refused: Refused) -> None:
+    answer = explained(octocell, "gas:n=3000", "--rule", "chapter32")
+    assert answer["method"] == "home_phantom" and "chapter32" in answer["cells"]
+    line = refused("explain", "gas:n=3000", "--method", "half_shell", "--rule", "chapter32")
+    assert "no rules" in line
+
+
 @pytest.mark.parametrize("skip", SKIPS)
 def test_forbidding_a_skip_changes_no_answer(octocell: Octocell, skip: str) -> None:
     for scene in SCENES:

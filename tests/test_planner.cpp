@@ -132,6 +132,23 @@ TEST(Planner, GivesAGiantALevelOfItsOwn) {
   EXPECT_FALSE(plan_for("giant:n=20000", planned(one_level)).taken.has(Skip::wide_cells));
 }
 
+TEST(Planner, GivesPointsALevelOfTheirOwn) {
+  std::vector<Sphere> spheres = generate("gas:n=20000").spheres;
+  for (Sphere& s : spheres) s.r = 0.0F;
+  spheres[1234].r = 20.0F;
+  const SceneStats stats = measure({spheres});
+  ASSERT_EQ(stats.radii.size(), 2U);
+  EXPECT_EQ(stats.radii[0].count, 19999U);
+  EXPECT_EQ(stats.radii[0].largest, 0.0F);
+  EXPECT_EQ(stats.radii[1].radius_sum, 20.0);
+  const Plan plan = make_plan(stats, planned());
+  ASSERT_EQ(plan.levels.count, 2);
+  EXPECT_EQ(plan.levels.level[0].r_max, 0.0F);
+  EXPECT_LT(plan.levels.level[0].grid.cell_side, 20.0);
+  spheres[1] = {0, 0, 0, 1e-45F};  // has the exponent of zero, and is none
+  EXPECT_EQ(measure({spheres}).radii.size(), 3U);
+}
+
 TEST(Planner, SeesThatASceneIsFlat) {
   EXPECT_TRUE(plan_for("discs:n=20000", planned()).taken.has(Skip::layers));
   EXPECT_FALSE(plan_for("gas:n=20000", planned()).taken.has(Skip::layers));
@@ -203,6 +220,47 @@ TEST(Planner, ExplainsEveryDecision) {
       EXPECT_GT(*d.expected_saving, 0.0);
     }
   }
+}
+
+std::vector<Sphere> one_large_among_small() {
+  std::vector<Sphere> spheres = generate("gas:n=100000").spheres;
+  spheres[500].r = 30.0F;
+  return spheres;
+}
+
+std::vector<std::string> warnings_for(const std::vector<Sphere>& spheres, PlanOptions options) {
+  const SceneStats stats = measure({spheres});
+  return explain(stats, make_plan(stats, options), options).warnings;
+}
+
+TEST(Planner, WarnsOfChoicesThatCostMuch) {
+  const std::vector<Sphere> spheres = one_large_among_small();
+  const auto expect_one = [](const std::vector<std::string>& warnings, const char* what,
+                             const char* flag) {
+    ASSERT_EQ(warnings.size(), 1U) << what;
+    EXPECT_NE(warnings[0].find(what), std::string::npos) << warnings[0];
+    EXPECT_NE(warnings[0].find("half_shell"), std::string::npos) << warnings[0];
+    EXPECT_NE(warnings[0].find(flag), std::string::npos) << warnings[0];
+  };
+  expect_one(warnings_for(spheres, {.method = Method::home_phantom, .rule = Rule::chapter32}),
+             "rule chapter32 is expected", "--rule");
+  expect_one(warnings_for(spheres, {.method = Method::brute_force}), "method brute_force",
+             "--method");
+  expect_one(warnings_for(spheres, {.method = Method::home_phantom, .cell_side = 100.0}),
+             "cell side 100", "--cell-side");
+  expect_one(warnings_for(spheres, {.method = Method::half_shell,
+                                    .allowed = Skips::all().without(Skip::wide_cells)}),
+             "this choice", "--no-skip wide_cells");
+}
+
+TEST(Planner, DoesNotWarnOfItsOwnChoicesOrOfGoodOnes) {
+  const std::vector<Sphere> spheres = one_large_among_small();
+  EXPECT_TRUE(warnings_for(spheres, planned()).empty());
+  EXPECT_TRUE(warnings_for(spheres, planned(Skips::all().without(Skip::sort))).empty());
+  EXPECT_TRUE(warnings_for(spheres, {.method = Method::half_shell}).empty());
+  EXPECT_TRUE(warnings_for(generate("gas:n=60").spheres, {.rule = Rule::chapter32}).empty());
+  EXPECT_TRUE(warnings_for(generate("gas:n=20000").spheres, {.rule = Rule::chapter32}).empty());
+  EXPECT_TRUE(warnings_for(spheres, {.rule = Rule::as_written}).empty());
 }
 
 /// Blocks of any size, as if each pair were asked; grids of more cells than Morton codes tell

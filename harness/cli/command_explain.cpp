@@ -7,6 +7,7 @@
 #include "harness/bench/json_text.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/cli/names.hpp"
+#include "harness/cli/own_choices.hpp"
 #include "harness/driver/complete.hpp"
 #include "harness/driver/median.hpp"
 #include "harness/planner/explain.hpp"
@@ -21,9 +22,7 @@ constexpr int kRounds = 15;
 struct Options {
   std::string scene;
   std::string backend = "impl_cpu";
-  std::string method;
-  std::vector<std::string> no_skip;
-  std::vector<std::string> force;
+  OwnChoices own;
   int threads = 0;
   bool analyze = false;
   bool json = false;
@@ -99,7 +98,8 @@ nlohmann::ordered_json to_json(const Explanation& explanation, const Outcome& ou
           {"predicate", explanation.predicate},
           {"pairs", outcome.counts.pairs},
           {"candidates", outcome.counts.candidates},
-          {"decisions", decisions}};
+          {"decisions", decisions},
+          {"warnings", explanation.warnings}};
 }
 
 PlanOptions plan_options(const Options& options) {
@@ -108,9 +108,8 @@ PlanOptions plan_options(const Options& options) {
     throw InputError(fmt::format("{} is a baseline: it has its own plan", options.backend));
   }
   require_available(*how.backend);
-  how.method = method_or_planned(options.method);
-  return with_skips(how.plan_options(thread_count(options.threads)), options.no_skip,
-                    options.force);
+  choose_method(how, options.own);
+  return plan_options_of(how, options.own, options.threads);
 }
 
 int explain_scene(const Options& options) {
@@ -140,11 +139,8 @@ void add_explain(CLI::App& app, Command& command) {
   sub->add_option("SCENE", o->scene, "A file (.npy, .csv, .pqr) or a generator: gas:n=1e5,seed=7")
       ->required();
   sub->add_option("--backend", o->backend, "A backend; see 'octocell list'");
-  sub->add_option(
-      "--method", o->method,
-      "planned (default: the planner chooses), home_phantom, half_shell or brute_force");
+  add_own_choices(*sub, o->own);
   sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
-  add_skip_options(*sub, o->no_skip, o->force);
   sub->add_flag("--analyze", o->analyze, "Time each skip against the same plan without it");
   sub->add_flag("--json", o->json, "Print JSON");
   sub->callback([&command, o] { command = [o] { return explain_scene(*o); }; });

@@ -13,6 +13,7 @@
 #include "harness/cli/commands.hpp"
 #include "harness/cli/named_files.hpp"
 #include "harness/cli/names.hpp"
+#include "harness/cli/own_choices.hpp"
 #include "harness/driver/complete.hpp"
 #include "harness/interface/depth.hpp"
 #include "harness/interface/flags.hpp"
@@ -29,44 +30,32 @@ namespace {
 struct Options {
   std::string scene;
   std::string backend = "impl_cpu";
-  std::string method;
-  std::string rule;
   std::string predicate;
+  OwnChoices own;
   std::optional<std::string> flags;
   std::optional<std::string> output;
   std::optional<std::string> depth;
-  std::optional<double> cell_side;
   int threads = 0;
   bool depth_check = false;
   bool count = false;
   bool json = false;
   bool explain = false;
   bool round_input = false;
-  std::vector<std::string> no_skip;
-  std::vector<std::string> force;
 };
 
 Implementation chosen_implementation(const Options& options) {
   Implementation chosen{.backend = &backend_named(options.backend)};
-  const bool asks_for_method = !options.method.empty() || !options.rule.empty() ||
-                               !options.predicate.empty() || options.cell_side || options.explain ||
-                               !options.no_skip.empty() || !options.force.empty();
+  const bool asks_for_method = options.own.any() || !options.predicate.empty() || options.explain;
   if (chosen.is_baseline() && asks_for_method) {
     throw InputError(
         fmt::format("{} is a baseline: it has its own method, rule, predicate, cells and plan",
                     chosen.backend->name));
   }
   require_available(*chosen.backend);
-  chosen.method = method_or_planned(options.method);
-  if (!options.rule.empty()) chosen.rule = rule_named(options.rule);
   if (!options.predicate.empty()) {
     chosen.predicate = predicate_named(options.predicate, *chosen.backend);
   }
-  const bool of_home_phantom = !options.rule.empty() || options.cell_side;
-  if (chosen.planned() && of_home_phantom) chosen.method = Method::home_phantom;
-  if (!chosen.has_rule() && of_home_phantom) {
-    throw InputError(fmt::format("method {} has no rules and no cells", chosen.method_name()));
-  }
+  choose_method(chosen, options.own);
   return chosen;
 }
 
@@ -207,10 +196,8 @@ std::optional<reference::DepthErrors> use_pairs(const Options& options, const Sc
 int find(const Options& options) {
   check_outputs(options);
   const Implementation how = chosen_implementation(options);
-  PlanOptions plan_options =
-      with_skips(how.plan_options(thread_count(options.threads)), options.no_skip, options.force);
+  PlanOptions plan_options = plan_options_of(how, options.own, options.threads);
   plan_options.count_only = options.count;
-  plan_options.cell_side = options.cell_side;
   const Scene scene =
       load_or_generate(options.scene, {.flags = options.flags, .round_input = options.round_input});
   const std::unique_ptr<PairFinder> finder = how.backend->create();
@@ -247,20 +234,14 @@ void add_find(CLI::App& app, Command& command) {
       ->required();
   sub->add_option("--flags", o->flags, kFlagsHelp);
   sub->add_option("--backend", o->backend, "A backend or a baseline; see 'octocell list'");
-  sub->add_option(
-      "--method", o->method,
-      "planned (default: the planner chooses), home_phantom, half_shell or brute_force");
-  sub->add_option("--rule", o->rule,
-                  "Of home_phantom: lowest_cell (default), chapter32 or as_written");
+  add_own_choices(*sub, o->own);
   sub->add_option("--predicate", o->predicate, kPredicateHelp);
-  sub->add_option("--cell-side", o->cell_side, "Cell side in scene units, for rule lowest_cell");
   sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
   sub->add_option("-o,--output", o->output, "Write the pairs: NPY, (M, 2) uint32, i < j, sorted");
   sub->add_option("--depth", o->depth,
                   "Write how deep each pair overlaps: NPY, (M,) float32, in the pairs' order");
   sub->add_flag("--depth-check", o->depth_check,
                 "Compare the depths with exact ones; print their errors in ULP of float32");
-  add_skip_options(*sub, o->no_skip, o->force);
   sub->add_flag("--count", o->count, "Count and checksum only: needs no memory for pairs");
   sub->add_flag("--json", o->json, "Print JSON");
   sub->add_flag("--explain", o->explain, "Print the plan's decisions on stderr");

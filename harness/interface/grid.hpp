@@ -6,7 +6,7 @@
 // zero and harms neither claim), so all that is proved about cells is proved about integers:
 //   monotone:  x <= y  =>  cell(x) <= cell(y)                 (any rounding of x and y is harmless)
 //   Lipschitz: |x - y| <= cell side  =>  cells differ by <= 1 (docs/exactness.md, claims A and B)
-// Coordinates outside the grid's box are clamped to its border cells, which keeps both.
+// Coordinates outside the grid's box, any box, are clamped to its border cells: that keeps both.
 #pragma once
 
 #include <cmath>
@@ -39,7 +39,7 @@ struct CellWidth {
 
 struct Grid {
   float units_per_length = 1.0F;            // 2^-k
-  double first_unit[3] = {0, 0, 0};         // floor(lowest centre * 2^-k)
+  double first_unit[3] = {0, 0, 0};         // floor(lowest corner * 2^-k)
   double last_unit[3] = {0, 0, 0};          // of the box, counted from first_unit; <= kMaxUnits
   CellWidth width[3];                       // equal, but for the columns of method half_shell
   std::uint32_t cell_count[3] = {1, 1, 1};  // cells along each axis before wrapping

@@ -6,18 +6,25 @@
 #include <algorithm>
 
 #include "harness/interface/digit_plan.hpp"
+#include "harness/planner/warnings.hpp"
 
 namespace octocell {
 namespace {
 
+std::string size_of_box(const float (&lowest)[3], const float (&highest)[3]) {
+  const auto extent = [&](int axis) { return static_cast<double>(highest[axis]) - lowest[axis]; };
+  return fmt::format("{:g} x {:g} x {:g}", extent(0), extent(1), extent(2));
+}
+
 std::string scene_of(const SceneStats& stats) {
   const PlanFacts& f = stats.facts;
   if (f.sphere_count == 0) return "no spheres";
-  return fmt::format("{} spheres, radii {:g} to {:g}, centres in {:g} x {:g} x {:g}",
-                     f.sphere_count, f.r_min_nonzero, f.r_max,
-                     static_cast<double>(f.highest[0]) - f.lowest[0],
-                     static_cast<double>(f.highest[1]) - f.lowest[1],
-                     static_cast<double>(f.highest[2]) - f.lowest[2]);
+  std::string text = fmt::format("{} spheres, radii {:g} to {:g}, centres in {}", f.sphere_count,
+                                 f.r_min, f.r_max, size_of_box(f.lowest, f.highest));
+  if (!stats.bulk.empty()) {
+    text += ", most of them in " + size_of_box(stats.bulk[0].lowest, stats.bulk[0].highest);
+  }
+  return text;
 }
 
 std::string cells_of(const Grid& g) {
@@ -155,7 +162,8 @@ Explanation explain(const SceneStats& stats, const Plan& plan, const PlanOptions
                    .method = method_of(plan),
                    .sort = sort_of(plan),
                    .predicate = predicate_of(plan),
-                   .decisions = {}};
+                   .decisions = {},
+                   .warnings = {}};
   if (stats.facts.sphere_count == 0) return e;
   for (std::size_t k = 0; k < kSkipCount; ++k) {
     const auto skip = static_cast<Skip>(k);
@@ -169,6 +177,7 @@ Explanation explain(const SceneStats& stats, const Plan& plan, const PlanOptions
     if (d.taken && is_planned(skip)) d.expected_saving = saving_of(skip, stats, plan, options);
     e.decisions.push_back(d);
   }
+  e.warnings = warnings_of(stats, plan, options);
   return e;
 }
 
@@ -176,6 +185,7 @@ std::string to_text(const Explanation& e) {
   std::string text = fmt::format("scene      {}\nmethod     {}\nsort       {}\npredicate  {}\n",
                                  e.scene, e.method, e.sort, e.predicate);
   for (const Decision& d : e.decisions) text += branch_of(d);
+  for (const std::string& warning : e.warnings) text += "warning: " + warning + "\n";
   return text;
 }
 

@@ -26,7 +26,8 @@ struct Explanation {
   std::string method;  // what was chosen, and its cells
   std::string sort;
   std::string predicate;
-  std::vector<Decision> decisions;  // one a skip, in the order of Skip
+  std::vector<Decision> decisions;    // one a skip, in the order of Skip
+  std::vector<std::string> warnings;  // what the caller fixed and would better have left open
 };
 
 /// `options` are those that the plan was made with. `used`: what the data allowed in a run, if one

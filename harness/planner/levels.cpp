@@ -11,6 +11,7 @@
 
 #include "harness/interface/digit_plan.hpp"
 #include "harness/interface/faults.hpp"
+#include "harness/planner/bulk.hpp"
 #include "harness/planner/crowding.hpp"
 #include "harness/planner/planner.hpp"
 
@@ -52,12 +53,6 @@ double cost_of(const Level& level, const Members& members, const Crowding& crowd
          members.count * sort_passes(key_bits, costs.digit_bits) * costs.shell.per_pass;
 }
 
-/// The part of an axis that a box of that width covers.
-double share_of(const PlanFacts& facts, int axis, double width) {
-  const double extent = static_cast<double>(facts.highest[axis]) - facts.lowest[axis];
-  return extent > width ? width / extent : 1.0;
-}
-
 /// Each sphere of the finer level against the nine rows around it of the coarser.
 double cost_of_finer(const Level& coarser, const Members& coarse, const Members& fine,
                      const ShellCosts& costs) {
@@ -77,7 +72,7 @@ double cost_of_coarser(const SceneStats& stats, const Members& coarse, const Lev
     rows *= std::min<double>(level.grid.cell_count[a], width / level.grid.cell_side + 1.0);
   }
   double share = 1.0;
-  for (int a = 0; a < 3; ++a) share *= share_of(stats.facts, a, width + level.grid.cell_side);
+  for (int a = 0; a < 3; ++a) share *= share_of_axis(stats, a, width + level.grid.cell_side);
   return coarse.count *
          (std::min(rows, fine.count) * costs.per_probe + fine.count * share * costs.per_candidate);
 }

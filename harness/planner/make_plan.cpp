@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/interface/as_written.hpp"
-#include "harness/interface/chapter32.hpp"
 #include "harness/interface/error.hpp"
+#include "harness/planner/choose_cells.hpp"
 #include "harness/planner/choose_test.hpp"
 
 namespace octocell {
@@ -14,56 +13,6 @@ namespace {
 
 /// Positions in the sorted arrays are 32-bit numbers.
 constexpr std::uint64_t kMaxIds = 4294967295;
-constexpr int kIdBits = 32;
-
-/// Sound only while a rounding of p +- S is small beside r_max (docs/exactness.md, claim C).
-void require_chapter32(const PlanFacts& facts) {
-  const double ulp = farthest_ulp(facts, chapter32::reach(facts.r_max));
-  if (ulp <= facts.r_max / 2.0) return;
-  throw LimitError(fmt::format(
-      "rule chapter32 does not hold for this scene: float32 has steps of {} at its far end, more "
-      "than half the largest radius ({}), so a sphere may meet three cells on one axis; rule "
-      "lowest_cell has no such condition",
-      ulp, facts.r_max));
-}
-
-Grid choose_grid(const SceneStats& stats, const PlanOptions& options) {
-  const float r_max = stats.facts.r_max;
-  switch (options.rule) {
-    case Rule::lowest_cell:
-      if (!options.cell_side) return cheapest_grid(stats, options.costs);
-      return make_grid(stats.facts, *options.cell_side, widest_box(stats.facts, r_max));
-    case Rule::chapter32:
-      if (r_max == 0.0F)
-        return cheapest_grid(stats, options.costs);  // no phantoms: any cells will do
-      require_chapter32(stats.facts);
-      return make_grid(stats.facts, chapter32::cell_side(r_max),
-                       widest_box(stats.facts, chapter32::reach(r_max)));
-    case Rule::as_written:
-      break;
-  }
-  Grid grid;  // its cells are as_written.hpp's own; the sort needs the key width
-  grid.key_bits = as_written::kIdBits;
-  grid.cell_side = as_written::cell_side(r_max);
-  return grid;
-}
-
-void choose_cells(Plan& plan, const SceneStats& stats, const PlanOptions& options) {
-  if (plan.method == Method::home_phantom) {
-    plan.grid = choose_grid(stats, options);
-    plan.key_bits = plan.grid.key_bits;
-  }
-  if (plan.method == Method::half_shell) {
-    plan.levels = cheapest_levels(stats, options.allowed, options.costs,
-                                  options.forced.has(Skip::wide_cells) ? 2 : 1);
-    plan.key_bits = key_bits_of(plan.levels);
-    const bool may_reuse = plan.moving && !options.count_only;
-    if (may_reuse) plan.skin = skin_cells(stats, options.allowed, options.costs);
-  }
-  if (plan.method != Method::brute_force && !options.allowed.has(Skip::key_bits)) {
-    plan.key_bits = plan.skin.key_bits = kIdBits;
-  }
-}
 
 std::uint64_t id_capacity(const SceneStats& stats, const Plan& plan) {
   const double count = static_cast<double>(stats.facts.sphere_count);
@@ -110,7 +59,7 @@ void check_options(const PlanOptions& options) {
   }
 }
 
-/// A tenth of the largest extent, and a radius, on every side.
+/// A tenth of the largest extent, and a radius, on every side; around the bulk, a tenth of its own.
 SceneStats with_room_to_move(SceneStats stats) {
   PlanFacts& facts = stats.facts;
   float room = facts.r_max;
@@ -120,6 +69,13 @@ SceneStats with_room_to_move(SceneStats stats) {
   for (int a = 0; a < 3; ++a) {
     facts.lowest[a] = std::max(facts.lowest[a] - room, -kFloatMax);
     facts.highest[a] = std::min(facts.highest[a] + room, kFloatMax);
+  }
+  for (Bulk& bulk : stats.bulk) {
+    for (int a = 0; a < 3; ++a) {
+      const float more = (bulk.highest[a] - bulk.lowest[a]) / 10.0F;
+      bulk.lowest[a] = std::max(bulk.lowest[a] - more, facts.lowest[a]);
+      bulk.highest[a] = std::min(bulk.highest[a] + more, facts.highest[a]);
+    }
   }
   return stats;
 }

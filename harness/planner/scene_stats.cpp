@@ -15,6 +15,7 @@
 #include "harness/interface/lattice.hpp"
 #include "harness/interface/pair.hpp"
 #include "harness/interface/simd.hpp"
+#include "harness/planner/bulk.hpp"
 #include "harness/planner/lattice.hpp"
 
 namespace octocell {
@@ -60,17 +61,18 @@ bool is_valid(const Sphere& s) {
 std::vector<RadiusClass> classify_radii(SceneView scene, const PlanFacts& facts) {
   const auto count = static_cast<std::uint64_t>(scene.spheres.size());
   if (count == 0) return {};
-  if (facts.r_min_nonzero == facts.r_max) {
-    // Zeros, if any, are counted with the others: an upper bound, and exact in the common case.
+  if (facts.r_min == facts.r_max) {
     return {{.count = count,
              .radius_sum = static_cast<double>(facts.r_max) * static_cast<double>(count),
              .largest = facts.r_max}};
   }
   // Several tables in turn: most spheres are of one class, and none need wait for the one before.
-  std::array<std::array<RadiusClass, 256>, kAbreast> tables = {};
+  // Zeros have the first entry, which leaves the numbers below 2^-126 the second.
+  std::array<std::array<RadiusClass, 257>, kAbreast> tables = {};
   for (std::size_t i = 0; i < count; ++i) {
     const float r = scene.spheres[i].r;
-    RadiusClass& c = tables[i % kAbreast][std::bit_cast<std::uint32_t>(r) >> 23 & 0xffU];
+    const std::uint32_t exponent = std::bit_cast<std::uint32_t>(r) >> 23 & 0xffU;
+    RadiusClass& c = tables[i % kAbreast][exponent + (r > 0.0F ? 1 : 0)];
     ++c.count;
     c.radius_sum += r;
     c.largest = OCTOCELL_FAULT(level_radius_of_last, r, std::max(c.largest, r));
@@ -202,6 +204,7 @@ SceneStats measure(SceneView scene) {
       static_cast<float>(count_static(scene.flags)) / static_cast<float>(scene.spheres.size());
   stats.radii = classify_radii(scene, stats.facts);
   stats.sample = take_sample(scene);
+  stats.bulk = find_bulk(stats.facts, stats.sample);
   stats.facts.lattice_units_per_length =
       find_lattice(stats.sample, scene.spheres, stats.facts.r_max);
   return stats;

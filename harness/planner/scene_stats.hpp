@@ -8,7 +8,8 @@
 
 namespace octocell {
 
-/// The spheres whose radius has one float exponent: within a factor of two of each other.
+/// The spheres whose radius has one float exponent: within a factor of two of each other. Those of
+/// radius 0 are a class of their own.
 struct RadiusClass {
   std::uint64_t count = 0;
   double radius_sum = 0.0;
@@ -18,6 +19,13 @@ struct RadiusClass {
   }
 };
 
+/// A box that holds nearly all centres and is far smaller than the box of all.
+struct Bulk {
+  float lowest[3];
+  float highest[3];
+  friend bool operator==(const Bulk&, const Bulk&) = default;
+};
+
 /// What the planner knows of a scene.
 struct SceneStats {
   PlanFacts facts;
@@ -25,6 +33,7 @@ struct SceneStats {
   float static_share = 0.0F;       // of the spheres, by their flags
   std::vector<RadiusClass> radii;  // the non-empty classes, smallest radius first
   std::vector<Sphere> sample;      // a sixteenth, 64 to kSampleSize, chosen by a fixed hash
+  std::vector<Bulk> bulk;          // from the widest; empty unless a few centres are far away
 };
 
 inline constexpr std::size_t kSampleSize = 1024;

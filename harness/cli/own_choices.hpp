@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// What a caller may fix of a plan: the options that find and explain share.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/cli/names.hpp"
+#include "harness/interface/error.hpp"
+#include "harness/planner/planner.hpp"
+#include "harness/registry/registry.hpp"
+
+namespace octocell::cli {
+
+struct OwnChoices {
+  std::string method;
+  std::string rule;
+  std::optional<double> cell_side;
+  std::vector<std::string> no_skip;
+  std::vector<std::string> force;
+
+  [[nodiscard]] bool any() const {
+    return !method.empty() || !rule.empty() || cell_side || !no_skip.empty() || !force.empty();
+  }
+};
+
+inline void add_own_choices(CLI::App& sub, OwnChoices& own) {
+  sub.add_option("--method", own.method,
+                 "planned (default: the planner chooses), home_phantom, half_shell or brute_force");
+  sub.add_option("--rule", own.rule,
+                 "Of home_phantom: lowest_cell (default), chapter32 or as_written");
+  sub.add_option("--cell-side", own.cell_side, "Cell side in scene units, for rule lowest_cell");
+  add_skip_options(sub, own.no_skip, own.force);
+}
+
+/// Gives the implementation its method and rule. Throws InputError where they do not go together.
+inline void choose_method(Implementation& chosen, const OwnChoices& own) {
+  chosen.method = method_or_planned(own.method);
+  if (!own.rule.empty()) chosen.rule = rule_named(own.rule);
+  const bool of_home_phantom = !own.rule.empty() || own.cell_side;
+  if (chosen.planned() && of_home_phantom) chosen.method = Method::home_phantom;
+  if (!chosen.has_rule() && of_home_phantom) {
+    throw InputError(fmt::format("method {} has no rules and no cells", chosen.method_name()));
+  }
+}
+
+inline PlanOptions plan_options_of(const Implementation& chosen, const OwnChoices& own,
+                                   int threads) {
+  PlanOptions options =
+      with_skips(chosen.plan_options(thread_count(threads)), own.no_skip, own.force);
+  options.cell_side = own.cell_side;
+  return options;
+}
+
+}  // namespace octocell::cli
