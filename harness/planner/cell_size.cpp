@@ -67,11 +67,14 @@ struct SideRange {
 SideRange sides_worth_trying(const SceneStats& stats) {
   const PlanFacts& facts = stats.facts;
   const double spacing = mean_spacing(facts);
-  const double for_points = std::max(largest_extent(facts) * 0x1p-24, 0x1p-149);
-  if (facts.r_max == 0.0F) return {for_points, std::max(spacing, 0x1p-149)};
-  const double diameter = 2.0 * facts.r_min_nonzero;
-  return {facts.r_min == 0.0F ? std::min(for_points, diameter) : diameter,
-          std::max(12.0 * facts.r_max, spacing)};
+  if (facts.r_max == 0.0F) {
+    const double extent = largest_extent(facts);
+    return {std::max(extent * 0x1p-24, 0x1p-149), std::max(spacing, 0x1p-149)};
+  }
+  double smallest = 2.0 * facts.r_min_nonzero;
+  // Points among the others may be crowded however large the smallest of the others is.
+  if (facts.r_min == 0.0F) smallest = std::min(smallest, std::max(spacing * 0x1p-8, 0x1p-149));
+  return {smallest, std::max(12.0 * facts.r_max, spacing)};
 }
 
 }  // namespace

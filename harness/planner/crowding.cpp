@@ -18,7 +18,7 @@ double filled_rows(const Level& level, const Members& members) {
   const double evenly = filled(rows_of_cells(grid));
   if (!grid.wraps()) return evenly;
   const SampledCells sampled(grid, members.sample, ~0U);  // all columns are one cell
-  const auto pairs = static_cast<double>(sampled.pairs_in_blocks(sampled.finest()));
+  const auto pairs = static_cast<double>(sampled.pairs_in_blocks(0));
   const auto size = static_cast<double>(members.sample.size());
   return pairs < kEnough ? evenly : std::min(evenly, filled(size * size / 2.0 / pairs));
 }
@@ -58,7 +58,7 @@ double neighbours_in_cell(const Level& level, const Members& members) {
                                   grid.cell_count[2]};
   const std::uint32_t most = std::max({cells[0], cells[1], cells[2]});
   const SampledCells sampled(grid, members.sample, columns);
-  for (int shift = sampled.finest(); size > 1 && most >> shift != 0; ++shift) {
+  for (int shift = 0; size > 1 && most >> shift != 0; ++shift) {
     const std::uint64_t pairs = sampled.pairs_in_blocks(shift);
     if (pairs < kEnough) continue;
     double block = 1.0;  // cells

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 // How many spheres of a sample share a cell, or a block of cells? In Morton order (Morton 1966, A
 // computer oriented geodetic data base) the cells of each block of 2^k a side follow each other:
-// put in order once, the sample answers for blocks of all sizes.
+// put in order once, the sample answers for blocks of all sizes. Where an axis has more cells than
+// a third of a word counts, a second word tells them apart: one sphere far away makes an axis so
+// long, and all others then differ in the lowest bits only.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -18,32 +22,55 @@ class SampledCells {
  public:
   /// `columns` of the grid, along x, make a cell.
   SampledCells(const Grid& grid, const std::vector<Sphere>& sample, std::uint32_t columns)
-      : finest_(std::max(bits_of_coordinates(grid, columns) - kMortonBits, 0)) {
-    codes_.reserve(sample.size());
+      : is_wide_(bits_of_coordinates(grid, columns) > kMortonBits) {
+    is_wide_ ? wide_.reserve(sample.size()) : codes_.reserve(sample.size());
     for (const Sphere& s : sample) {
-      const Cell cell = cell_of(grid, s.x, s.y, s.z);
-      codes_.push_back(spread((cell.x / columns) >> finest_) | spread(cell.y >> finest_) << 1 |
-                       spread(cell.z >> finest_) << 2);
+      Cell cell = cell_of(grid, s.x, s.y, s.z);
+      cell.x /= columns;
+      if (is_wide_) {
+        wide_.push_back({code_of(cell, kMortonBits), code_of(cell, 0)});
+      } else {
+        codes_.push_back(code_of(cell, 0));
+      }
     }
     std::ranges::sort(codes_);
+    std::ranges::sort(wide_);
   }
-
-  /// The smallest shift that pairs_in_blocks() can tell of.
-  [[nodiscard]] int finest() const { return finest_; }
 
   /// Pairs of the sample that share a block of 2^shift cells a side.
   [[nodiscard]] std::uint64_t pairs_in_blocks(int shift) const {
+    if (!is_wide_) {
+      return count_alike(
+          codes_, [&](std::uint64_t a, std::uint64_t b) { return (a ^ b) >> 3 * shift == 0; });
+    }
+    return count_alike(wide_, [&](const WideCode& a, const WideCode& b) {
+      if (shift >= kMortonBits) return (a[0] ^ b[0]) >> 3 * (shift - kMortonBits) == 0;
+      return a[0] == b[0] && (a[1] ^ b[1]) >> 3 * shift == 0;
+    });
+  }
+
+ private:
+  static constexpr int kMortonBits = 21;          // of each coordinate, three in a word
+  using WideCode = std::array<std::uint64_t, 2>;  // the highest bits first
+
+  /// Pairs of codes, sorted, that are alike.
+  template <typename Codes, typename Alike>
+  static std::uint64_t count_alike(const Codes& codes, const Alike& are_alike) {
     std::uint64_t pairs = 0;
     std::uint64_t alike = 0;
-    for (std::size_t k = 1; k < codes_.size(); ++k) {
-      alike = (codes_[k] ^ codes_[k - 1]) >> 3 * (shift - finest_) == 0 ? alike + 1 : 0;
+    for (std::size_t k = 1; k < codes.size(); ++k) {
+      alike = are_alike(codes[k], codes[k - 1]) ? alike + 1 : 0;
       pairs += alike;
     }
     return pairs;
   }
 
- private:
-  static constexpr int kMortonBits = 21;  // of each coordinate, three in a word
+  /// Of 21 bits of each coordinate, from that one on.
+  static std::uint64_t code_of(const Cell& cell, int from) {
+    constexpr std::uint64_t kMask = (std::uint64_t{1} << kMortonBits) - 1;
+    return spread(cell.x >> from & kMask) | spread(cell.y >> from & kMask) << 1 |
+           spread(cell.z >> from & kMask) << 2;
+  }
 
   /// Moves bit k of a coordinate to bit 3 k.
   static std::uint64_t spread(std::uint64_t bits) {
@@ -58,8 +85,9 @@ class SampledCells {
         std::max({grid.cell_count[0] / columns, grid.cell_count[1], grid.cell_count[2]})));
   }
 
-  int finest_;
+  bool is_wide_;
   std::vector<std::uint64_t> codes_;
+  std::vector<WideCode> wide_;
 };
 
 }  // namespace octocell
