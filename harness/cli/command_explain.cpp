@@ -10,6 +10,7 @@
 #include "harness/cli/own_choices.hpp"
 #include "harness/driver/complete.hpp"
 #include "harness/driver/median.hpp"
+#include "harness/interface/error.hpp"
 #include "harness/planner/explain.hpp"
 #include "harness/registry/registry.hpp"
 #include "harness/scenes/scenes.hpp"
@@ -65,7 +66,12 @@ void analyze(Explanation& explanation, Candidate& planned, const BackendInfo& ba
     PlanOptions without = options;
     without.allowed = options.allowed.without(decision.skip);
     without.forced = options.forced.without(decision.skip);
-    rivals.emplace_back(&decision, std::make_unique<Candidate>(backend, scene, without));
+    const bool is_a_method = decision.skip == Skip::grid || decision.skip == Skip::phantoms;
+    if (is_a_method) without.method.reset();
+    try {
+      rivals.emplace_back(&decision, std::make_unique<Candidate>(backend, scene, without));
+    } catch (const LimitError&) {  // there is no plan without it
+    }
   }
   for (int round = 0; round < kRounds; ++round) {
     fmt::print(stderr, "\rround {} of {}{}", round + 1, kRounds, round + 1 == kRounds ? "\n" : "");

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "harness/interface/digit_plan.hpp"
+#include "harness/interface/error.hpp"
 #include "harness/planner/warnings.hpp"
 
 namespace octocell {
@@ -115,16 +116,19 @@ std::string fact_of(Skip skip, const SceneStats& stats, const Plan& plan, bool t
   return {};
 }
 
-/// The same scene, planned without that skip.
+/// The same scene, planned without that skip. None where that saves nothing or cannot be done.
 std::optional<double> saving_of(Skip skip, const SceneStats& stats, const Plan& plan,
                                 PlanOptions options) {
   const double cost = estimate_cost(stats, plan, options.costs);
   options.allowed = options.allowed.without(skip);
   options.forced = options.forced.without(skip);
   if (skip == Skip::grid || skip == Skip::phantoms) options.method.reset();
-  const double without = estimate_cost(stats, make_plan(stats, options), options.costs);
-  if (without <= cost) return std::nullopt;
-  return 1.0 - cost / without;
+  try {
+    const double without = estimate_cost(stats, make_plan(stats, options), options.costs);
+    if (without > cost) return 1.0 - cost / without;
+  } catch (const LimitError&) {
+  }
+  return std::nullopt;
 }
 
 bool can_matter(Skip skip, const Plan& plan) {

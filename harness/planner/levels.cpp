@@ -88,12 +88,32 @@ struct Choice {
   double cost = HUGE_VAL;  // expected, of its spheres among themselves
 };
 
-/// Flat scenes made thick enough for two layers of cells.
-PlanFacts with_two_layers(PlanFacts facts, double side) {
-  for (const int a : {1, 2}) {
-    const double second = static_cast<double>(facts.lowest[a]) + 1.5 * side;
-    if (second < kFloatMax)
-      facts.highest[a] = std::max(facts.highest[a], static_cast<float>(second));
+/// Makes an axis longer than a cell: upwards, or downwards, or both ways where numbers end.
+void thicken(PlanFacts& facts, int axis, double side) {
+  float& lowest = facts.lowest[axis];
+  float& highest = facts.highest[axis];
+  const double second = static_cast<double>(lowest) + 1.5 * side;
+  const double first = static_cast<double>(highest) - 1.5 * side;
+  if (highest < kFloatMax && second < kFloatMax) {
+    highest = std::max(static_cast<float>(second), std::nextafter(highest, kFloatMax));
+  } else if (lowest > -kFloatMax && first > -kFloatMax) {
+    lowest = std::min(static_cast<float>(first), std::nextafter(lowest, -kFloatMax));
+  } else {
+    lowest = -kFloatMax;
+    highest = kFloatMax;
+  }
+}
+
+/// Flat scenes made thick enough for two layers of cells, if float32 has room for two. Cells may be
+/// larger than asked for, the more so in a larger box: what they are decides.
+PlanFacts with_two_layers(PlanFacts facts, float r_max, double side, int most_bits) {
+  constexpr int kTrials = 4;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const Grid grid = make_level(facts, r_max, side, 1, most_bits).grid;
+    if (!has_one_layer(grid)) break;
+    for (const int a : {1, 2}) {
+      if (grid.cell_count[a] == 1) thicken(facts, a, grid.cell_side);
+    }
   }
   return facts;
 }
@@ -122,10 +142,12 @@ Choice cheapest_level(const SceneStats& stats, Skips allowed, int most_bits, con
   Choice best;
   const int sides = costs.shell.sides_per_doubling;
   for (int worse = 0; worse < kPatience * sides; side *= std::exp2(1.0 / sides)) {
+    const bool may_be_flat = allowed.has(Skip::layers);
     const PlanFacts facts =
-        allowed.has(Skip::layers) ? stats.facts : with_two_layers(stats.facts, side);
+        may_be_flat ? stats.facts : with_two_layers(stats.facts, members.r_max, side, most_bits);
     const Choice choice = cut_into_columns(facts, side, most_bits, members, costs);
-    if (choice.cost >= best.cost) {
+    const bool is_too_large = !may_be_flat && has_one_layer(choice.level.grid);
+    if (choice.cost >= best.cost || (is_too_large && best.cost < HUGE_VAL)) {
       ++worse;
       continue;
     }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "harness/interface/error.hpp"
 #include "harness/planner/choose_cells.hpp"
@@ -81,8 +83,7 @@ SceneStats with_room_to_move(SceneStats stats) {
 }
 
 bool is_flat(const Plan& plan) {
-  const Grid& grid = plan.levels.level[0].grid;
-  return plan.levels.count > 0 && (grid.cell_count[1] == 1 || grid.cell_count[2] == 1);
+  return plan.levels.count > 0 && has_one_layer(plan.levels.level[0].grid);
 }
 
 /// What a plan leaves out.
@@ -165,6 +166,33 @@ void require_forced(const Plan& plan, const PlanOptions& options) {
   }
 }
 
+bool leaves_out(const Plan& plan, Skip skip) {
+  if (plan.taken.has(skip)) return true;
+  const auto levels = std::span(plan.levels.level, static_cast<std::size_t>(plan.levels.count));
+  return skip == Skip::layers &&
+         std::ranges::any_of(levels, [](const Level& l) { return has_one_layer(l.grid); });
+}
+
+/// What the plan leaves out although it is forbidden.
+std::optional<Skip> disobeyed_by(const Plan& plan) {
+  for (std::size_t k = 0; k < kSkipCount; ++k) {
+    const auto skip = static_cast<Skip>(k);
+    if (!plan.allowed.has(skip) && leaves_out(plan, skip)) return skip;
+  }
+  return std::nullopt;
+}
+
+void require_obeyed(const Plan& plan) {
+  const std::optional<Skip> skip = disobeyed_by(plan);
+  if (!skip) return;
+  throw LimitError(fmt::format(
+      "skip {} cannot be forbidden here: {}", name_of(*skip),
+      *skip == Skip::layers
+          ? fmt::format("float32 has no room for two layers of cells for radii up to {:g}",
+                        plan.facts.r_max)
+          : fmt::format("the method is {}", name_of(plan.method))));
+}
+
 /// Of the methods that are allowed, the one whose plan is expected to cost least. All are exact.
 Plan cheapest_plan(const SceneStats& stats, const PlanOptions& options) {
   if (options.forced.has(Skip::grid)) return plan_method(stats, Method::brute_force, options);
@@ -175,7 +203,7 @@ Plan cheapest_plan(const SceneStats& stats, const PlanOptions& options) {
     if (!options.allowed.has(skip)) return;
     const Plan plan = plan_method(stats, method, options);
     const double cost = estimate_cost(stats, plan, options.costs);
-    if (cost >= best_cost) return;
+    if (cost >= best_cost || disobeyed_by(plan)) return;
     best = plan;
     best_cost = cost;
   };
@@ -202,6 +230,7 @@ Plan make_plan(const SceneStats& seen, const PlanOptions& options) {
   const Plan plan =
       options.method ? plan_method(stats, *options.method, options) : cheapest_plan(stats, options);
   require_forced(plan, options);
+  require_obeyed(plan);
   return plan;
 }
 

@@ -62,8 +62,9 @@ struct PlanOptions {
 /// What a plan is expected to cost, in the unit of Costs.
 double estimate_cost(const SceneStats& stats, const Plan& plan, const Costs& costs);
 
-/// Throws LimitError where the rule's conditions do not hold for this scene, with the reason, and
-/// InputError for a cell side that is not a positive finite number.
+/// Throws LimitError where the rule's conditions do not hold for this scene or a skip can be
+/// neither taken nor left as the options ask, with the reason, and InputError for a cell side that
+/// is not a positive finite number.
 Plan make_plan(const SceneStats& stats, const PlanOptions& options = {});
 
 /// For a baseline: the sizes of buffers, and nothing that takes a look at the spheres.
@@ -92,8 +93,13 @@ Grid make_grid(const PlanFacts& facts, double cell_side, double widest);
 Level make_level(const PlanFacts& facts, float r_max, double cell_side, std::uint32_t columns,
                  int most_bits);
 
+/// Whether rows of such cells have none above and below, or none beside them.
+inline bool has_one_layer(const Grid& grid) {
+  return grid.cell_count[1] == 1 || grid.cell_count[2] == 1;
+}
+
 /// The levels with the least expected work for half_shell, which is correct with any. Without skip
-/// `layers` an axis along which all spheres lie in one layer gets a second.
+/// `layers` an axis along which all spheres lie in one layer gets a second, if float32 has room.
 Levels cheapest_levels(const SceneStats& stats, Skips allowed = Skips::all(),
                        const Costs& costs = {}, std::size_t least_levels = 1);
 
