@@ -37,15 +37,16 @@ constexpr std::uint64_t place_of_radius(std::uint64_t k) {
 
 /// One bit a lane, the first lowest.
 using LaneBits = std::uint16_t;
+inline constexpr std::uint32_t kMostLanes = 16;
 template <typename Mask>
 LaneBits bits_of(const Mask& mask) {
   return static_cast<LaneBits>(mask.__to_bitset().to_ulong());  // libstdc++'s, for want of a better
 }
-/// The first `count` of 16 lanes or fewer.
+/// The first `count` of kMostLanes or fewer.
 inline LaneBits first_bits(std::uint32_t count) {
-  constexpr std::uint32_t kAll = 16;
   return static_cast<LaneBits>(
-      (1U << std::min(count, OCTOCELL_FAULT(shell_last_lane_missing, kAll - 1, kAll))) - 1U);
+      (1U << std::min(count, OCTOCELL_FAULT(shell_last_lane_missing, kMostLanes - 1, kMostLanes))) -
+      1U);
 }
 /// Calls visit(lane) for each lane that is set.
 template <typename Visit>

@@ -48,6 +48,6 @@ class PairList {
 };
 
 /// One thread's way into the list: 8 KiB at a time.
-using PairWriter = ListWriter<Pair, 1024, PairList>;
+using PairWriter = ListWriter<Pair, kListBlock, PairList>;
 
 }  // namespace octocell::cpu

@@ -50,7 +50,7 @@ class PairSink {
   Packing packing_;
   PairWriter sure_;
   DoubtSink doubt_sink_;
-  ListWriter<Pair, 1024, DoubtSink> doubts_;
+  ListWriter<Pair, kListBlock, DoubtSink> doubts_;
 };
 
 }  // namespace octocell::cpu

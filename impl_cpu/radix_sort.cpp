@@ -4,6 +4,7 @@
 #include "impl_cpu/radix_sort.hpp"
 #include "harness/interface/digit_plan.hpp"
 #include "harness/interface/faults.hpp"
+#include "impl_cpu/block_size.hpp"
 
 #include <array>
 #include <vector>
@@ -12,7 +13,7 @@ namespace octocell::cpu {
 namespace {
 
 constexpr std::size_t kDigits = 1 << kWidestDigit;
-constexpr int kMaxParts = 64;
+constexpr int kMaxParts = block_size(64, 2);
 
 /// Per part of the input and digit: first a count, then where that part's next such key goes.
 using Counters = std::array<std::array<std::uint32_t, kDigits>, kMaxParts>;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "impl_cpu/block_size.hpp"
 #include "impl_cpu/threads.hpp"
 
 namespace octocell::cpu {
@@ -21,7 +22,7 @@ struct Sorted {
 
 /// Of a digit. Two passes of 9 bits take as long as two of 8, where caches of 48 KiB hold a line
 /// for each of 512 places that a pass writes to; with 10 bits they take twice as long.
-inline constexpr int kWidestDigit = 9;
+inline constexpr int kWidestDigit = block_size(9, 3);
 
 /// Stable LSD radix sort of (key, value) by the lowest `key_bits` bits of the key, a digit a pass.
 /// `front` holds the input; the two buffers are used in turn. All four spans have equal length,

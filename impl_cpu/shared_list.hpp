@@ -11,6 +11,7 @@
 
 #include "harness/interface/buffer.hpp"
 #include "harness/interface/faults.hpp"
+#include "impl_cpu/block_size.hpp"
 
 namespace octocell::cpu {
 
@@ -47,6 +48,9 @@ class SharedList {
   Buffer<T> items_;
   std::atomic<std::uint64_t> size_ = 0;
 };
+
+/// As many items as a thread brings to a list at a time.
+inline constexpr std::size_t kListBlock = block_size(1024, 4);
 
 /// One thread's block. Flushes when full and at its end.
 template <typename T, std::size_t kBlock, typename Sink = SharedList<T>>

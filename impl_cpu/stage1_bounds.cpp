@@ -8,12 +8,13 @@
 #include "harness/interface/faults.hpp"
 #include "harness/interface/flags.hpp"
 #include "harness/planner/scene_stats.hpp"
+#include "impl_cpu/block_size.hpp"
 #include "impl_cpu/stages.hpp"
 
 namespace octocell::cpu {
 namespace {
 
-constexpr std::uint64_t kBlock = 1 << 16;
+constexpr std::uint64_t kBlock = block_size(1 << 16, 16);
 
 /// What the stages that will not run would have left behind.
 void leave_nothing(Workspace& w) {

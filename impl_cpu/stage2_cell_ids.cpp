@@ -9,14 +9,15 @@
 #include "harness/interface/as_written.hpp"
 #include "harness/interface/faults.hpp"
 #include "harness/interface/grid.hpp"
+#include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 
 namespace octocell::cpu {
 namespace {
 
-constexpr std::uint64_t kSpheresPerBlock = 4096;
-constexpr std::uint64_t kSpheresPerBatch = 64;
-constexpr std::size_t kPhantomsPerClaim = 2048;
+constexpr std::uint64_t kSpheresPerBlock = block_size(4096, 32);
+constexpr std::uint64_t kSpheresPerBatch = block_size(64, 8);
+constexpr std::size_t kPhantomsPerClaim = block_size(2048, 16);
 
 /// One thread's phantoms, claimed from the shared arrays 2048 at a time.
 class PhantomWriter {

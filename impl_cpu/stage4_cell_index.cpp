@@ -4,13 +4,14 @@
 // Cost: 8 bytes an id.
 // Idea: a cell begins where the id changes; cells with nothing to test are left out here, once.
 #include "harness/interface/faults.hpp"
+#include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 
 namespace octocell::cpu {
 namespace {
 
-constexpr std::uint64_t kIdsPerBlock = 1 << 16;
-using CellWriter = ListWriter<CellEntry, 1024>;
+constexpr std::uint64_t kIdsPerBlock = block_size(1 << 16, 16);
+using CellWriter = ListWriter<CellEntry, kListBlock>;
 
 /// Pairs that the rule looks at in a cell; zero: the cell is not kept.
 std::uint64_t candidates_in(Rule rule, std::uint64_t homes, std::uint64_t phantoms) {

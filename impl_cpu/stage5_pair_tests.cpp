@@ -6,6 +6,7 @@
 //       the one cell in which a pair counts is asked only for pairs that may overlap.
 #include "harness/interface/as_written.hpp"
 #include "harness/interface/faults.hpp"
+#include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 #include "impl_cpu/pair_sink.hpp"
 #include "impl_cpu/tile.hpp"
@@ -13,7 +14,7 @@
 namespace octocell::cpu {
 namespace {
 
-constexpr std::uint64_t kCellsPerBlock = 512;
+constexpr std::uint64_t kCellsPerBlock = block_size(512, 8);
 constexpr std::uint64_t kPrefetchAhead = 24;
 
 /// What a rule is asked about: a member of a cell.

@@ -8,6 +8,7 @@
 #include <array>
 
 #include "harness/interface/faults.hpp"
+#include "impl_cpu/block_size.hpp"
 #include "impl_cpu/lanes.hpp"
 #include "impl_cpu/stages.hpp"
 
@@ -15,7 +16,7 @@ namespace octocell::cpu {
 namespace {
 
 constexpr std::size_t kPrefetchAhead = 16;
-constexpr std::uint32_t kAtOnce = 8;
+constexpr std::uint32_t kAtOnce = block_size(8, 4);
 using Reals = Vector<double, kAtOnce>;
 
 /// Spheres of some pairs, field by field.
@@ -78,7 +79,7 @@ void resolve_block(Workspace& w, std::span<const Pair> doubts) {
 }
 
 void resolve(Workspace& w) {
-  constexpr std::uint64_t kDoubtsPerBlock = 4096;
+  constexpr std::uint64_t kDoubtsPerBlock = block_size(4096, 8);
   if (w.plan.count_only) return;  // stage 5 had them resolved block by block
   const std::span<const Pair> doubts = w.doubts.items();
   w.threads->for_blocks(

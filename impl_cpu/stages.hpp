@@ -11,6 +11,7 @@
 #include "harness/interface/chapter32.hpp"
 #include "harness/interface/object_word.hpp"
 #include "harness/interface/plan.hpp"
+#include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/ordered_spheres.hpp"
 #include "impl_cpu/pair_list.hpp"
 #include "impl_cpu/shared_list.hpp"
@@ -19,7 +20,7 @@
 namespace octocell::cpu {
 
 /// Stage 5 works on tiles of this many spheres; cells with more are shared out among the threads.
-inline constexpr std::size_t kTileSpheres = 1024;
+inline constexpr std::size_t kTileSpheres = block_size(1024, 16);
 
 /// Cell ids with their objects. Sorting moves them between two of these.
 struct IdArrays {

@@ -2,6 +2,7 @@
 // Up to 1024 spheres, field by field, next to each other: what the inner loop of stage 5 reads.
 #pragma once
 
+#include "impl_cpu/block_size.hpp"
 #include "impl_cpu/lanes.hpp"
 #include "impl_cpu/stages.hpp"
 
@@ -9,7 +10,8 @@ namespace octocell::cpu {
 
 template <PairTest test>
 struct Tile {
-  static constexpr std::uint32_t kLanes = 8;  // 16 were slower: most cells hold fewer than 8
+  static constexpr std::uint32_t kLanes =
+      block_size(8, 4);  // 16 were slower: most cells hold fewer
   using Number = NumberOf<test>;
 
   // Lanes may reach past the last sphere; what is read there is made nothing of.

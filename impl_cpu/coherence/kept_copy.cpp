@@ -7,11 +7,12 @@
 #include <cstring>
 
 #include "harness/interface/same_bits.hpp"
+#include "impl_cpu/block_size.hpp"
 
 namespace octocell::cpu::coherence {
 namespace {
 
-constexpr std::uint64_t kSpheresPerBlock = 4096;
+constexpr std::uint64_t kSpheresPerBlock = block_size(4096, 16);
 
 }  // namespace
 

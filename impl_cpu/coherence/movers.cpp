@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 
 namespace octocell::cpu::coherence {
@@ -12,9 +13,9 @@ namespace {
 
 /// One in so many: where the work on them nears that on all (docs/decisions/0016).
 constexpr std::uint64_t kOneIn = 6;
-constexpr std::uint64_t kAlwaysAllowed = 16;
-constexpr std::uint64_t kPairsPerBlock = 1 << 15;
-constexpr std::uint64_t kSpheresPerBlock = 1 << 14;
+constexpr std::uint64_t kAlwaysAllowed = block_size(16, 4);
+constexpr std::uint64_t kPairsPerBlock = block_size(1 << 15, 16);
+constexpr std::uint64_t kSpheresPerBlock = block_size(1 << 14, 16);
 
 }  // namespace
 

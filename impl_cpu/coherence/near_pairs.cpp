@@ -10,14 +10,15 @@
 
 #include "harness/interface/flags.hpp"
 #include "harness/interface/same_bits.hpp"
+#include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 #include "impl_cpu/pair_sink.hpp"
 
 namespace octocell::cpu::coherence {
 namespace {
 
-constexpr std::uint64_t kSpheresPerBlock = 1 << 13;
-constexpr std::uint64_t kPairsPerBlock = 1 << 12;
+constexpr std::uint64_t kSpheresPerBlock = block_size(1 << 13, 16);
+constexpr std::uint64_t kPairsPerBlock = block_size(1 << 12, 8);
 constexpr std::uint64_t kPrefetchAhead = 128;
 constexpr std::uint64_t kMostPerPair = 2;  // near pairs, for each pair that there is room for
 

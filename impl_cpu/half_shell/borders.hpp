@@ -15,6 +15,7 @@
 
 #include "harness/interface/grid.hpp"
 #include "harness/interface/simd.hpp"
+#include "impl_cpu/block_size.hpp"
 
 namespace octocell::cpu::half_shell {
 
@@ -37,7 +38,7 @@ struct Border {
 /// at least one value.
 inline std::optional<std::uint32_t> common_cell(const Grid& grid, int axis,
                                                 std::span<const float> values) {
-  using Floats = Vector<float, 16>;
+  using Floats = Vector<float, block_size(16, 4)>;
   float lowest = values.front();
   float highest = lowest;
   Floats low(lowest);

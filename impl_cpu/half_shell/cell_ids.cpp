@@ -10,18 +10,19 @@
 
 #include "harness/interface/faults.hpp"
 #include "harness/interface/simd.hpp"
+#include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 
 namespace octocell::cpu::half_shell {
 namespace {
 
-constexpr std::uint64_t kSpheresPerBlock = 4096;
+constexpr std::uint64_t kSpheresPerBlock = block_size(4096, 32);
 
 std::uint32_t column_id(const Level& level, const Sphere& s) {
   return level.first_id + cell_id(level.grid, cell_of(level.grid, s.x, s.y, s.z));
 }
 
-constexpr std::uint32_t kAbreast = 8;
+constexpr std::uint32_t kAbreast = block_size(8, 4);
 using Floats = Vector<float, kAbreast>;
 using Doubles = Vector<double, kAbreast>;
 using Ids = Vector<std::uint32_t, kAbreast>;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Sorted ids of columns, sixteen at a time.
+// Sorted ids of columns, a vector of them at a time.
 #pragma once
 
+#include "impl_cpu/block_size.hpp"
 #include "impl_cpu/lanes.hpp"
 
 namespace octocell::cpu::half_shell {
 
-inline constexpr std::uint32_t kLanes = 16;
+inline constexpr std::uint32_t kLanes = block_size(kMostLanes, kMostLanes / 2);
 using Ids = Vector<std::uint32_t, kLanes>;
 
 /// The first place from `at` on whose id is above `id`; `ids` are sorted, and behind the last come

@@ -2,6 +2,7 @@
 // Method half_shell, where it differs: one id a sphere, spheres gathered once, rows swept.
 #pragma once
 
+#include "impl_cpu/block_size.hpp"
 #include "impl_cpu/stages.hpp"
 
 namespace octocell::cpu::half_shell {
@@ -13,7 +14,7 @@ void cell_ids(Workspace& w);
 /// as many rows as it has spheres, or as there are: seldom many, and memory that is not touched
 /// need not be cleared.
 struct IndexBlocks {
-  static constexpr std::uint64_t kSpheres = 1 << 14;
+  static constexpr std::uint64_t kSpheres = block_size(1 << 14, 32);
   IndexBlocks(std::uint64_t spheres, const Levels& levels);
 
   std::uint64_t count;

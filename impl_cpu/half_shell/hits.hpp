@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/column_ids.hpp"
 #include "impl_cpu/half_shell/ordered_spheres.hpp"
 #include "impl_cpu/half_shell/row_cursor.hpp"
@@ -8,7 +9,7 @@
 
 namespace octocell::cpu::half_shell {
 
-static_assert(OrderedSpheres::kMargin >= kLanes && OrderedSpheres::kMargin >= kPassed);
+static_assert(OrderedSpheres::kMargin >= kMostLanes && OrderedSpheres::kMargin >= kPassed);
 
 /// Which sphere is k: k, or what a list says.
 struct InOrder {
@@ -75,8 +76,8 @@ class Hits {
   }
 
  private:
-  static constexpr std::uint32_t kMostAtOnce = 256;
-  static constexpr std::uint32_t kRoom = 1024;
+  static constexpr std::uint32_t kMostAtOnce = block_size(256, 8);
+  static constexpr std::uint32_t kRoom = block_size(1024, 16);
 
   template <typename Ones, typename Taken>
   void look_through(std::uint32_t begin, const Neighbours& lanes, Run run, Ones which,

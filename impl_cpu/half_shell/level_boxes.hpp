@@ -46,7 +46,7 @@ class LevelBoxes {
  private:
   using Neighbours = Lanes<test, kLanes>;
 
-  /// Sixteen from there on, of this row or not: who asks knows how many are.
+  /// A vector of them from there on, of this row or not: who asks knows how many are.
   Neighbours lanes_at(std::uint32_t begin) const { return Neighbours(o_.fields<test>(), begin); }
 
   /// One sphere, which is not of the run, against the run.

@@ -6,6 +6,7 @@
 
 #include "harness/interface/buffer.hpp"
 #include "harness/interface/plan.hpp"
+#include "impl_cpu/block_size.hpp"
 #include "impl_cpu/lanes.hpp"
 
 namespace octocell::cpu {
@@ -17,7 +18,8 @@ struct Row {
 };
 
 struct OrderedSpheres {
-  static constexpr std::uint64_t kMargin = 32;  // vectors may reach past the last sphere
+  static constexpr std::uint64_t kMargin =
+      block_size(32, 16);  // vectors may reach past the last sphere
 
   const std::uint32_t* column_ids = nullptr;  // [spheres + kMargin], sorted; then the greatest
   const std::uint32_t* sphere = nullptr;      // [spheres]: their ids

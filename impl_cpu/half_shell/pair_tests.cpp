@@ -8,6 +8,7 @@
 //       one of them come one after the other, and no branch depends on where they lie.
 #include <atomic>
 
+#include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 #include "impl_cpu/half_shell/level_boxes.hpp"
 #include "impl_cpu/half_shell/other_rows.hpp"
@@ -16,8 +17,8 @@
 namespace octocell::cpu::half_shell {
 namespace {
 
-constexpr std::uint64_t kOthersPerBlock = 4096;
-constexpr std::uint64_t kBoxesPerBlock = 16;
+constexpr std::uint64_t kOthersPerBlock = block_size(4096, 16);
+constexpr std::uint64_t kBoxesPerBlock = block_size(16, 4);
 
 /// Calls work(begin, end) for blocks of the spheres; it returns the candidates that it met. No more
 /// blocks once there are too many.

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "harness/interface/faults.hpp"
+#include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/borders.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 #include "impl_cpu/half_shell/hits.hpp"
@@ -24,7 +25,7 @@ template <PairTest test>
 class SameLevel {
  public:
   /// sweep() takes at most so many.
-  static constexpr std::uint32_t kMostSwept = 4096;
+  static constexpr std::uint32_t kMostSwept = block_size(4096, 32);
 
   SameLevel(Workspace& w, const OrderedSpheres& spheres, int level)
       : o_(spheres),
@@ -229,7 +230,7 @@ class SameLevel {
     return Neighbours({x, y, z, r}, 0);
   }
 
-  /// Of 16 spheres from k on, which lie in the strip.
+  /// Of the spheres in lanes from k on, which lie in the strip.
   [[nodiscard]] LaneBits in_strip(const Strip& strip, std::uint64_t k) const {
     using Floats = Vector<float, kLanes>;
     const Floats y(&o_.y[k], stdx::element_aligned);
@@ -265,6 +266,7 @@ class SameLevel {
   }
 
   static constexpr std::uint32_t kMostListed = 2 * kMostSwept;
+  static_assert(kPassed >= kMostLanes);  // so many numbers may be written behind a list
 
   const OrderedSpheres& o_;
   const std::uint32_t* const ids_;
@@ -274,9 +276,10 @@ class SameLevel {
   RowCursor rows_;
   const std::uint64_t limit_;
   std::uint64_t candidates_ = 0;
-  std::uint32_t in_lanes_[kMostListed + kLanes];  // spheres; hits are told by places in this list
+  std::uint32_t
+      in_lanes_[kMostListed + kMostLanes];  // spheres; hits are told by places in this list
   std::uint32_t lanes_size_ = 0;
-  std::uint32_t ones_[kMostSwept + kLanes];       // spheres of the other row
+  std::uint32_t ones_[kMostSwept + kMostLanes];   // spheres of the other row
   std::uint32_t ones_ids_[kMostSwept + kPassed];  // their columns' ids
   std::uint32_t ones_size_ = 0;
   Hits<test> hits_within_;
