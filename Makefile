@@ -5,6 +5,8 @@ PRESET ?= release
 VENV := .venv
 PYTHON := $(VENV)/bin/python
 RESULT ?= reports/out/bench.json
+# How many random sequences of frames `make stress-full` plays to each finder.
+FRAME_SEQUENCES ?= 200000
 # How long `make fuzz` runs each of its targets.
 FUZZ_SECONDS ?= 300
 PUBLISHED := reports/results/epyc-zen5-2core/quick.json
@@ -46,6 +48,9 @@ stress: build ## Every implementation on the scenes of the stress catalogue (min
 
 stress-full: build ## The same on large scenes (hours), with many more cases of the property tests
 	@OMP_WAIT_POLICY=passive $(BUILD)/octocell stress --size full --timeout 120 -o reports/out/stress.json
+	@for test in test_random_frames test_random_frames_small test_cuda_coherence; do \
+	  OCTOCELL_FRAME_SEQUENCES=$(FRAME_SEQUENCES) $(BUILD)/tests/$$test --gtest_filter='*Random*' || exit 1; \
+	done
 	@RC_PARAMS="max_success=2000000 max_discard_ratio=100" ctest --test-dir $(BUILD) -R 'Properties' --timeout 7200 --output-on-failure
 	@$(MAKE) --no-print-directory compilers
 

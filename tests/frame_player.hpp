@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <optional>
+#include <utility>
+
 #include "harness/driver/complete.hpp"
 #include "harness/reference/reference.hpp"
 #include "tests/frame_sequences.hpp"
@@ -23,17 +27,33 @@ class Player {
   Counts show(SceneView scene) {
     HostClock clock;
     if (plan_ && plan_->facts.sphere_count == scene.spheres.size()) {
-      finder_->update(scene);
+      if (std::exchange(uploads_next_, false)) {
+        finder_->upload(*plan_, scene);
+      } else {
+        finder_->update(scene);
+      }
       finder_->find_pairs(clock);
       times_ = clock.stop();
       const Counts counts = finder_->counts();
       if (!counts.plan_violation && fits(counts, plan_->capacity, plan_->count_only)) return counts;
     }
     ++plans_;
+    uploads_next_ = false;
     const Outcome outcome = complete(*finder_, scene, plan_scene(scene, options_), clock);
     plan_ = outcome.plan;
     times_ = outcome.times;
     return outcome.counts;
+  }
+
+  /// The next frame is the first of another sequence, which the same finder is shown.
+  void plan_anew(const PlanOptions& options) {
+    options_ = options;
+    plan_.reset();
+  }
+  /// The next frame, if it has as many spheres, comes with an upload of that plan.
+  void upload_next(const Plan& plan) {
+    plan_ = plan;
+    uploads_next_ = true;
   }
 
   /// Shows a frame and expects its exact pairs.
@@ -57,6 +77,7 @@ class Player {
   PlanOptions options_;
   std::unique_ptr<PairFinder> finder_;
   std::optional<Plan> plan_;
+  bool uploads_next_ = false;
   StageTimes times_;
   int plans_ = 0;
 };

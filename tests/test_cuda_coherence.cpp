@@ -6,6 +6,7 @@
 
 #include "impl_cuda_custom/backend.hpp"
 #include "tests/frame_player.hpp"
+#include "tests/random_player.hpp"
 
 namespace octocell {
 namespace {
@@ -243,6 +244,10 @@ TEST_F(FramesOnDevice, AreNotRefusedForTheSakeOfASkin) {
     EXPECT_FALSE(finder->counts().over_candidate_limit);
     EXPECT_EQ(finder->digest(), digest_of(reference::exact_pairs(spheres)));
   }
+}
+
+TEST_F(FramesOnDevice, ThatAreRandomHaveTheExactPairs) {
+  play_random_frames(200, 6000, cuda_custom::make_backend, {Skip::unchanged, Skip::skin});
 }
 
 TEST_F(FramesOnDevice, ThatAreOnlyCountedAreSearched) {
