@@ -176,8 +176,9 @@ class RandomFrames {
     }
   }
   void collapse() {
+    constexpr std::size_t kMost = 200;  // all of them are pairs
     const Sphere middle = any();
-    for (std::size_t k = some(); k > 0; --k) {
+    for (std::size_t k = std::min(some(), kMost); k > 0; --k) {
       Sphere& s = any();
       const float r = s.r;
       s = moved(middle, middle.r);

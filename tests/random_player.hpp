@@ -43,8 +43,8 @@ class RandomPlayer {
  private:
   /// Small, as a rule.
   std::size_t random_size() {
-    const std::size_t most[] = {3, 20, 60, 60, 60, 200, 200, most_spheres_};
-    return dice_.below(1 + std::min(most_spheres_, most[dice_.below(std::size(most))]));
+    const std::size_t most[] = {3, 20, 60, 60, 60, 200, 200, dice_.one_in(4) ? most_spheres_ : 200};
+    return dice_.below(1 + most[dice_.below(std::size(most))]);
   }
 
   /// All but some, or some.

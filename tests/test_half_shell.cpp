@@ -60,6 +60,7 @@ TEST_P(HalfShell, FindsTheExactPairsWithAnySkipForbidden) {
   const PairDigest truth = exact_digest(scene.view());
   for (const int threads : {1, 3}) {
     for (std::size_t k = 0; k <= kSkipCount; ++k) {
+      if (static_cast<Skip>(k) == Skip::phantoms) continue;  // the method is made of it
       const Skips allowed =
           k == kSkipCount ? Skips::all() : Skips::all().without(static_cast<Skip>(k));
       PairDigest found;

@@ -13,7 +13,7 @@ namespace {
 TEST(RandomFrames, HaveTheExactPairs) {
   constexpr std::uint64_t kSequences = 300;
   // Where blocks are small, small scenes have many of them.
-  constexpr std::size_t kMostSpheres = cpu::block_size(6000, 600);
+  constexpr std::size_t kMostSpheres = cpu::block_size(6000, 1000);
   play_random_frames(kSequences, kMostSpheres, cpu::make_backend,
                      {Skip::unchanged, Skip::few_movers, Skip::skin});
 }

@@ -9,12 +9,11 @@
 
 #include "harness/interface/flags.hpp"
 #include "harness/interface/pair.hpp"
-#include "impl_cpu/block_size.hpp"
 
 namespace octocell::cpu::coherence {
 namespace {
 
-constexpr std::uint64_t kSampled = block_size(256, 32);
+constexpr std::uint64_t kSampled = 256;
 
 float distance_moved(const Sphere& before, const Sphere& now) {
   if (std::bit_cast<std::uint32_t>(before.r) != std::bit_cast<std::uint32_t>(now.r)) {
