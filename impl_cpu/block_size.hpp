@@ -3,9 +3,10 @@
 //
 // Borders between blocks are where faults hide, and scenes that are small enough to be tested by
 // the thousand meet none of them. So there is a second build of impl_cpu, for tests alone, in which
-// all these numbers are small (octocell_cpu_small, with OCTOCELL_SMALL_BLOCKS). Prefetch distances are
-// not among them, as they reach past the end of small lists in any case; nor is the size of the
-// sample of the motion, which decides what is tried and not how.
+// all these numbers are small (octocell_cpu_small, with OCTOCELL_SMALL_BLOCKS).
+//
+// Prefetch distances are not among them, as they reach past the end of small lists in any case; nor
+// is the size of the sample of the motion, which decides what is tried and not how.
 #pragma once
 
 namespace octocell::cpu {

@@ -46,7 +46,7 @@ class Player {
   }
 
   /// The next frame is the first of another sequence, which the same finder is shown.
-  void plan_anew(const PlanOptions& options) {
+  void plan_again(const PlanOptions& options) {
     options_ = options;
     plan_.reset();
   }

@@ -66,7 +66,7 @@ class RandomFrames {
     spheres_ = anchor_ = random_scene(count, dice_);
     static constexpr double kShares[] = {-1.0, -1.0, 0.0, 0.3, 0.9, 1.0};
     static_share_ = kShares[dice_.below(std::size(kShares))];
-    make_flags_anew();
+    draw_flags();
   }
 
   [[nodiscard]] SceneView scene() const { return {spheres_, flags_}; }
@@ -240,7 +240,7 @@ class RandomFrames {
     } else {
       for (std::size_t k = 1 + dice_.below(1 + count / 4); k > 0; --k) spheres_.push_back(any());
     }
-    make_flags_anew();
+    draw_flags();
   }
   void another_scene() { spheres_ = random_scene(spheres_.size(), dice_); }
 
@@ -266,7 +266,7 @@ class RandomFrames {
       {"another scene", &RandomFrames::another_scene},
   };
 
-  void make_flags_anew() {
+  void draw_flags() {
     flags_ = flags_of(spheres_.size(), static_share_, static_cast<unsigned>(dice_.below(1000)));
   }
   void keep_finite() {

@@ -67,7 +67,7 @@ class RandomPlayer {
   void play_sequence(Served& served) {
     RandomFrames frames(random_size(), dice_.seed());
     const PlanOptions options = random_options();
-    player_.plan_anew(options);
+    player_.plan_again(options);
     const std::size_t count = 5 + dice_.below(25);
     for (std::size_t f = 0; f < count && !testing::Test::HasFailure(); ++f) {
       if (f > 0) frames.next();

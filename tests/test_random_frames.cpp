@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random sequences of frames on impl_cpu: every frame has the exact pairs, whatever came before it.
+// Random sequences of frames on impl_cpu: every frame has the exact pairs.
 // OCTOCELL_FRAME_SEQUENCES says how many are played, OCTOCELL_FRAME_SEED from which seed on.
 #include <gtest/gtest.h>
 
