@@ -5,7 +5,7 @@ PRESET ?= release
 VENV := .venv
 PYTHON := $(VENV)/bin/python
 RESULT ?= reports/out/bench.json
-# How many random sequences of frames `make stress-full` plays to each finder.
+# How many random sequences of frames `make stress-full` plays to each finder: half an hour for each.
 FRAME_SEQUENCES ?= 200000
 # How long `make fuzz` runs each of its targets.
 FUZZ_SECONDS ?= 300
@@ -46,7 +46,7 @@ stress: build ## Every implementation on the scenes of the stress catalogue (min
 	@OMP_WAIT_POLICY=passive $(BUILD)/octocell stress -o reports/out/stress.json
 	@$(MAKE) --no-print-directory compilers
 
-stress-full: build ## The same on large scenes (hours), with many more cases of the property tests
+stress-full: build ## The same on large scenes (hours), with many more random frames and property cases
 	@OMP_WAIT_POLICY=passive $(BUILD)/octocell stress --size full --timeout 120 -o reports/out/stress.json
 	@for test in test_random_frames test_random_frames_small test_cuda_coherence; do \
 	  OCTOCELL_FRAME_SEQUENCES=$(FRAME_SEQUENCES) $(BUILD)/tests/$$test --gtest_filter='*Random*' || exit 1; \

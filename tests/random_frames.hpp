@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sequences of frames made at random, of all that was ever seen to mislead a finder that relies on
-// the frame before. A seed gives the same sequence on every machine.
+// the frame before. The same seed gives the same sequence.
 #pragma once
 
 #include <algorithm>
