@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import argparse
 import re
-import sys
 from collections.abc import Iterator, Sequence
 from itertools import chain
 from pathlib import Path
@@ -18,24 +17,23 @@ from octocell_import.lammps_data import STYLES
 from octocell_import.output import write_npy
 from octocell_import.radii import given
 from octocell_import.scene import POWERS, Options, Source, spheres
-from octocell_report.fields import ReportError
-from octocell_report.files import staged_folder
+from octocell_report.console import Parser, run, say
+from octocell_report.files import check_outputs, staged_folder
 
 _FRAME_NAME = re.compile(r"frame_\d{5,}\.npy")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    options = _parser().parse_args(arguments)
-    try:
-        print("\n".join(_import(options)))
-    except (InputError, ReportError) as error:
-        print(f"octocell-import: {error}", file=sys.stderr)
-        return 2
+    return run("octocell-import", lambda: _command(arguments))
+
+
+def _command(arguments: Sequence[str] | None) -> int:
+    say(*_import(_parser().parse_args(arguments)))
     return 0
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
+def _parser() -> Parser:
+    parser = Parser(
         prog="octocell-import",
         description="Turns atoms, particles or points into a scene of spheres, NPY (N, 4) float32.",
     )
@@ -89,10 +87,15 @@ def _import(options: argparse.Namespace) -> list[str]:
     target = options.output or options.input.with_name(stem(options.input) + ".npy")
     if target.suffix.lower() != ".npy":
         raise InputError(f"{target}: the output's name has to end in .npy")
+    check_outputs([target], _inputs(options))
     frame, which = _one(found, options.frame, options.input)
     scene, about = spheres(Source(options.input, frame), topology, wanted)
     write_npy(target, scene)
     return [f"{target}: {len(scene)} spheres written", *_indented(f"{title}, {which}", *about)]
+
+
+def _inputs(options: argparse.Namespace) -> list[Path]:
+    return [path for path in (options.input, options.topology) if path is not None]
 
 
 def _topology(path: Path | None) -> Source | None:
@@ -132,7 +135,7 @@ def _all_frames(
     old = {p.name for p in folder.glob("frame_*.npy") if _FRAME_NAME.fullmatch(p.name)}
     counts: list[int] = []
     said: list[str] = []
-    with staged_folder(folder, old) as staging:
+    with staged_folder(folder, old, _inputs(options)) as staging:
         for number, frame in enumerate(chain([first], found)):
             scene, about = spheres(Source(options.input, frame), topology, wanted)
             write_npy(staging / f"frame_{number:05d}.npy", scene)

@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+from octocell_report.fields import ReportError
+
 LONGEST = 60
 
 
-class InputError(Exception):
+class InputError(ReportError):
     """Input that cannot be used; the message is one line for people."""
 
 

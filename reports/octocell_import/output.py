@@ -3,24 +3,19 @@
 
 from __future__ import annotations
 
-import os
+import io
 from pathlib import Path
 
 import numpy as np
+from numpy.lib import format as npy
 
 from octocell_import.decimals import Floats
-from octocell_import.errors import InputError
+from octocell_report.files import write_whole
 
 
 def write_npy(path: Path, scene: Floats) -> None:
-    """Little-endian float32, (N, 4). Throws InputError."""
-    target = path.resolve()
-    part = target.with_name(f".{target.name}.{os.getpid()}.part")
-    try:
-        with part.open("wb") as stream:
-            np.save(stream, np.ascontiguousarray(scene, "<f4"))
-        os.replace(part, target)
-    except OSError as error:
-        raise InputError(f"{path}: cannot be written: {error.strerror}") from error
-    finally:
-        part.unlink(missing_ok=True)
+    """Little-endian float32, (N, 4). Throws ReportError."""
+    plain, header = np.ascontiguousarray(scene, "<f4"), io.BytesIO()
+    about = npy.header_data_from_array_1_0(plain)  # type: ignore[no-untyped-call]
+    npy.write_array_header_1_0(header, about)  # type: ignore[no-untyped-call]
+    write_whole(path, header.getvalue(), plain.data)

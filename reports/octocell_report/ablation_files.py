@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from statistics import median
 from typing import Any
@@ -33,9 +34,9 @@ def owned_names() -> set[str]:
     return images.files_of(plots.ABLATION_NAMES) | set(TABLES)
 
 
-def build(result: Result, folder: Path) -> list[str]:
+def build(result: Result, folder: Path, inputs: Sequence[Path] = ()) -> list[str]:
     """Writes everything; returns the names. All or nothing."""
-    with staged_folder(folder, owned_names()) as staging:
+    with staged_folder(folder, owned_names(), inputs) as staging:
         write(result, staging)
         return sorted(path.name for path in staging.iterdir())
 
@@ -44,7 +45,7 @@ def write(result: Result, folder: Path) -> None:
     images.write(plots.draw_ablation(result), folder)
     rows_frame(result).convert_dtypes().to_csv(folder / "ablation.csv", index=False)
     regret_frame(result).convert_dtypes().to_csv(folder / "regret.csv", index=False)
-    (folder / "ablation.md").write_text(text(result, folder), encoding="utf-8")
+    (folder / "ablation.md").write_text(markdown.plain(text(result, folder)), encoding="utf-8")
 
 
 def rows_frame(result: Result) -> pd.DataFrame:

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import argparse
 import math
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from octocell_report import __version__
+from octocell_report.console import Parser, run, say
 from octocell_report.fields import ReportError, naming
 from octocell_report.load import Result, load
 
@@ -19,17 +19,17 @@ if TYPE_CHECKING:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
+    return run("octocell-report", lambda: _command(arguments))
+
+
+def _command(arguments: Sequence[str] | None) -> int:
     options = _parser().parse_args(arguments)
-    try:
-        code: int = options.command(options)
-    except ReportError as error:
-        print(f"octocell-report: {error}", file=sys.stderr)
-        return 2
+    code: int = options.command(options)
     return code
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
+def _parser() -> Parser:
+    parser = Parser(
         prog="octocell-report", description="Checks, plots and pages from octocell bench's JSON."
     )
     parser.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
@@ -123,27 +123,34 @@ def _build(options: argparse.Namespace) -> int:
     from octocell_report import page  # Matplotlib is slow to load; only plots need it
 
     result = load(options.result)
-    ablation = _ablation_of(options) or (result if result.variants else None)
-    names = page.build(result, options.output, ablation, _error_of(options, result))
-    print(
-        f"{options.output / 'index.html'}: written, with {len(names) - 1} plots and tables beside"
+    ablation_path, error_paths = _ablation_path(options), _error_paths(options)
+    ablation = _loaded_ablation(ablation_path) if ablation_path else None
+    names = page.build(
+        result,
+        options.output,
+        ablation or (result if result.variants else None),
+        _loaded_error(error_paths) if error_paths else _own_error(result),
+        inputs=[options.result, *([ablation_path] if ablation_path else []), *error_paths],
     )
+    say(f"{options.output / 'index.html'}: written, with {len(names) - 1} plots and tables beside")
     return 0
 
 
-def _ablation_of(options: argparse.Namespace) -> Result | None:
+def _ablation_path(options: argparse.Namespace) -> Path | None:
     """The one that was named, or else lies in the folder; None without."""
     path: Path = options.ablation or options.output / "ablation.json"
-    return _loaded_ablation(path) if options.ablation or path.is_file() else None
+    return path if options.ablation or path.is_file() else None
 
 
-def _error_of(options: argparse.Namespace, result: Result) -> Study | None:
-    """Those that were named, or else lie in the folder, or else the result if it is one."""
+def _error_paths(options: argparse.Namespace) -> list[Path]:
+    """Those that were named, or else lie in the folder."""
+    return options.error or sorted(options.output.glob("error*.json"))
+
+
+def _own_error(result: Result) -> Study | None:
+    """The result, if it is one."""
     from octocell_report.error import Study
 
-    paths: list[Path] = options.error or sorted(options.output.glob("error*.json"))
-    if paths:
-        return _loaded_error(paths)
     study = Study([result])
     return study if study.compares else None
 
@@ -171,8 +178,8 @@ def _check(options: argparse.Namespace) -> int:
 
     verdict = judge(load(options.result))
     for row in [*verdict.wrong, *verdict.wrong_variants]:
-        print(complaint(row))
-    print(summary(verdict))
+        say(complaint(row))
+    say(summary(verdict))
     return 0 if verdict.passes else 1
 
 
@@ -180,7 +187,7 @@ def _compare(options: argparse.Namespace) -> int:
     from octocell_report.compare import report
 
     lines, slower = report(load(options.old), load(options.new), options.threshold)
-    print("\n".join(lines))
+    say(*lines)
     return 1 if slower and options.fail_on_slower else 0
 
 
@@ -189,10 +196,10 @@ def _readme(options: argparse.Namespace) -> int:
 
     differing = rewrite(load(options.result), options.readme, check_only=options.check)
     if not differing:
-        print(f"{options.readme}: up to date")
+        say(f"{options.readme}: up to date")
         return 0
     verb = "differs from" if options.check else "rewritten from"
-    print(f"{options.readme}: {verb} {options.result}: {', '.join(differing)}")
+    say(f"{options.readme}: {verb} {options.result}: {', '.join(differing)}")
     return 1 if options.check else 0
 
 
@@ -207,7 +214,7 @@ def _promise(options: argparse.Namespace) -> int:
     for path in files:
         differing = rewrite(None, path, check_only=options.check, folders=folders)
         verb = "differs" if options.check else "rewritten"
-        print(f"{path}: {verb}: {', '.join(differing)}" if differing else f"{path}: up to date")
+        say(f"{path}: {verb}: {', '.join(differing)}" if differing else f"{path}: up to date")
         every += differing
     return 1 if every and options.check else 0
 
@@ -215,8 +222,8 @@ def _promise(options: argparse.Namespace) -> int:
 def _sort(options: argparse.Namespace) -> int:
     from octocell_report import sort, sort_figures  # as for _build
 
-    names = sort_figures.build(sort.load(options.result), options.output)
-    print(f"{options.output}: written: {', '.join(names)}")
+    names = sort_figures.build(sort.load(options.result), options.output, [options.result])
+    say(f"{options.output}: written: {', '.join(names)}")
     return 0
 
 
@@ -224,11 +231,11 @@ def _ablation(options: argparse.Namespace) -> int:
     from octocell_report import ablation_files, check  # as for _build
 
     result = _loaded_ablation(options.result)
-    names = ablation_files.build(result, options.output)
+    names = ablation_files.build(result, options.output, [options.result])
     verdict = check.judge(result)
     for row in [*verdict.wrong, *verdict.wrong_variants]:
-        print(check.complaint(row))
-    print(f"{options.output}: written: {', '.join(names)}")
+        say(check.complaint(row))
+    say(f"{options.output}: written: {', '.join(names)}")
     return 0
 
 
@@ -236,8 +243,8 @@ def _error(options: argparse.Namespace) -> int:
     from octocell_report import error_files, findings_error  # as for _build
 
     study = _loaded_error(options.results)
-    names = error_files.build(study, options.output)
+    names = error_files.build(study, options.output, options.results)
     for line in findings_error.sentences(study, "error_map"):
-        print(line)
-    print(f"{options.output}: written: {', '.join(names)}")
+        say(line)
+    say(f"{options.output}: written: {', '.join(names)}")
     return 0

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import pandas as pd
@@ -21,9 +22,9 @@ def owned_names() -> set[str]:
     return images.files_of(plots.ERROR_NAMES) | set(TABLES)
 
 
-def build(study: Study, folder: Path) -> list[str]:
+def build(study: Study, folder: Path, inputs: Sequence[Path] = ()) -> list[str]:
     """Writes everything; returns the names. All or nothing."""
-    with staged_folder(folder, owned_names()) as staging:
+    with staged_folder(folder, owned_names(), inputs) as staging:
         write(study, staging)
         return sorted(path.name for path in staging.iterdir())
 
@@ -32,7 +33,7 @@ def write(study: Study, folder: Path) -> None:
     images.write(plots.draw_error(study), folder)
     made = {"error": points_frame, "error_costs": costs_frame, "error_rounding": rounding_frame}
     frames.write({name: make(study) for name, make in made.items()}, folder)
-    (folder / "error.md").write_text(text(study, folder), encoding="utf-8")
+    (folder / "error.md").write_text(markdown.plain(text(study, folder)), encoding="utf-8")
 
 
 def points_frame(study: Study) -> pd.DataFrame:

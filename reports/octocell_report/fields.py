@@ -4,16 +4,27 @@
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
 Json = dict[str, Any]
 
+_BELOW = 2**63  # whole numbers: pairs, bytes
+_MOST = 1e100  # other numbers: times, depths in units of a radius
+_LONGEST = 10_000  # characters of a text
+_THIN = "\u202f"  # a space, but to Python it is none that can be printed
+
 
 class ReportError(Exception):
     """Input that cannot be reported on; the message is one line for people."""
+
+
+def printable(text: str) -> str:
+    """On one line: control characters, line breaks and lone surrogates as escapes."""
+    if text.isprintable():
+        return text
+    return "".join(c if c.isprintable() or c == _THIN else ascii(c)[1:-1] for c in text)
 
 
 @contextmanager
@@ -25,17 +36,27 @@ def naming(what: object) -> Iterator[None]:
         raise ReportError(f"{what}: {error}") from error
 
 
+def shown(value: Any) -> str:
+    """A value of a document, in a few characters."""
+    spelled = json.dumps(value)
+    return spelled if len(spelled) <= 40 else spelled[:37] + "..."
+
+
 # What a value may be: a word for the message, and the test.
 Check = tuple[str, Callable[[Any], bool]]
 
 
 def number(value: Any) -> bool:
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
-    return is_number and math.isfinite(value) and value >= 0
+    return is_number and 0 <= value < _MOST
 
 
 def whole(value: Any) -> bool:
-    return isinstance(value, int) and not isinstance(value, bool) and value >= 0
+    return isinstance(value, int) and not isinstance(value, bool) and 0 <= value < _BELOW
+
+
+def text(value: Any) -> bool:
+    return isinstance(value, str) and len(value) <= _LONGEST
 
 
 def numbers(value: Any) -> bool:
@@ -52,15 +73,15 @@ def or_null(check: Check) -> Check:
 
 is_object: Check = ("an object", lambda v: isinstance(v, dict))
 is_list: Check = ("a list", lambda v: isinstance(v, list))
-is_text: Check = ("text", lambda v: isinstance(v, str))
-is_filled: Check = ("text, not empty", lambda v: isinstance(v, str) and v != "")
+is_text: Check = (f"text of at most {_LONGEST} characters", text)
+is_filled: Check = ("text, not empty", lambda v: text(v) and v.strip() != "")
 is_texts: Check = (
     "a list of texts",
-    lambda v: isinstance(v, list) and all(isinstance(t, str) for t in v),
+    lambda v: isinstance(v, list) and all(text(t) for t in v),
 )
 is_bool: Check = ("true or false", lambda v: isinstance(v, bool))
-is_whole: Check = ("a whole number, 0 or more", whole)
-is_number: Check = ("a number, 0 or more", number)
+is_whole: Check = ("a whole number, 0 or more, below 2^63", whole)
+is_number: Check = (f"a number, 0 or more, below {_MOST:g}", number)
 is_positive: Check = ("a number above 0", lambda v: number(v) and v > 0)
 is_times: Check = ("a list of times, 0 or more", numbers)
 is_stages: Check = (
@@ -77,7 +98,7 @@ is_frames: Check = (
 )
 is_names: Check = (
     "an object of names",
-    lambda v: isinstance(v, dict) and all(isinstance(t, str) for t in v.values()),
+    lambda v: isinstance(v, dict) and all(text(t) for t in v.values()),
 )
 
 
@@ -95,9 +116,7 @@ class Fields:
             raise ReportError(f"{self.title}: lacks the field '{key}'")
         found = self.value[key]
         if not check[1](found):
-            shown = json.dumps(found)
-            shown = shown if len(shown) <= 40 else shown[:37] + "..."
-            raise ReportError(f"{self.title}: field '{key}' is {shown}, not {check[0]}")
+            raise ReportError(f"{self.title}: field '{key}' is {shown(found)}, not {check[0]}")
         return found
 
     def optional(self, key: str, check: Check) -> Any:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from octocell_report.fields import Fields, is_bool, is_object, is_text, is_whole, or_null
+from octocell_report.fields import Fields, is_bool, is_filled, is_object, is_text, is_whole, or_null
 from octocell_report.predicates import Rounded, class_of, rounding_of
 
 
@@ -36,7 +36,7 @@ class Group:
 
 def group_of(item: Any, index: int) -> Group:
     fields = Fields(item, f"group {index}")
-    scene, n = fields.take("scene", is_text), fields.take("n", is_whole)
+    scene, n = fields.take("scene", is_filled), fields.take("n", is_whole)
     fields.title = f"group {index} (scene {scene}, n {n})"
     truth = fields.take("truth", or_null(is_object))
     pairs = checksum = None

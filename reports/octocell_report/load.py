@@ -18,6 +18,7 @@ from octocell_report.fields import (
     ReportError,
     is_bool,
     is_bytes,
+    is_filled,
     is_list,
     is_names,
     is_number,
@@ -28,6 +29,7 @@ from octocell_report.fields import (
     is_whole,
     one_of,
     or_null,
+    shown,
 )
 from octocell_report.files import read_json
 from octocell_report.groups import Group as Group  # others take both from here
@@ -174,7 +176,9 @@ def parse(document: Any) -> Result:
     if not isinstance(document, dict) or "schema" not in document:
         raise ReportError("not a bench result: it has no field 'schema'")
     if document["schema"] != SCHEMA or isinstance(document["schema"], bool):
-        raise ReportError(f"schema {document['schema']!r} is not the schema {SCHEMA} read here")
+        raise ReportError(
+            f"schema {shown(document['schema'])} is not the schema {SCHEMA} read here"
+        )
     context = Fields(document, "result").take("context", is_object)
     check_context(context)
     groups = [group_of(item, i) for i, item in enumerate(_list(document, "groups"))]
@@ -233,13 +237,13 @@ _OPTIONAL: dict[str, Check] = {
 
 def _row(item: Any, index: int) -> Row:
     fields = Fields(item, f"row {index}")
-    name = fields.take("name", is_text)
+    name = fields.take("name", is_filled)
     fields.title = f"row {index} ({name})"
     predicate = predicate_of(fields)
     impl = Impl(
-        fields.take("backend", is_text),
-        fields.take("method", or_null(is_text)),
-        fields.take("rule", or_null(is_text)),
+        fields.take("backend", is_filled),
+        fields.take("method", or_null(is_filled)),
+        fields.take("rule", or_null(is_filled)),
         fields.take("threads", is_whole),
         predicate if predicate != EXACT else None,
     )
@@ -248,7 +252,7 @@ def _row(item: Any, index: int) -> Row:
         name=name,
         impl=impl,
         kind=fields.take("kind", one_of(*KINDS)),
-        place=Place(fields.take("scene", is_text), fields.take("n", is_whole)),
+        place=Place(fields.take("scene", is_filled), fields.take("n", is_whole)),
         run=fields.take("run", one_of(*RUNS)),
         exhibit=fields.take("exhibit", is_bool),
         status=status,

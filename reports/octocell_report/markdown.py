@@ -3,7 +3,13 @@
 
 from __future__ import annotations
 
+import re
+
 from octocell_report.language import tell
+
+_BAR = re.compile(r"(\\*)\|")
+_CODE = re.compile(r"(`[^`]*`)")
+_READ = re.compile(r"[$`]|<(?=[A-Za-z/!?])")
 
 
 def table(header: list[str], lines: list[list[str]], note: str = "") -> str:
@@ -14,7 +20,18 @@ def table(header: list[str], lines: list[list[str]], note: str = "") -> str:
 
 
 def _line(cells: list[str]) -> str:
-    return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
+    return "| " + " | ".join(_BAR.sub(r"\1\1\|", cell) for cell in cells) + " |"
+
+
+def plain(text: str) -> str:
+    """The same without what names may hold and Markdown would read: formulas, tags, open code."""
+    return "\n".join(map(_plain, text.split("\n")))
+
+
+def _plain(line: str) -> str:
+    parts = _CODE.split(line)  # every other one is code, where nothing else is read
+    parts[::2] = [_READ.sub(lambda found: f"&#{ord(found[0])};", part) for part in parts[::2]]
+    return "".join(parts)
 
 
 def chapter(name: str, sentences: list[str]) -> list[str]:

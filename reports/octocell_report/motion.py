@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from statistics import median
 
-from octocell_report.fields import Fields, ReportError, is_frames, is_object, is_text, is_whole
+from octocell_report.fields import Fields, ReportError, is_filled, is_frames, is_object, is_whole
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ def motion_of(row: Fields) -> Motion | None:
     fields = Fields(row.take("frames", is_object), f"{row.title}: frames")
     times = fields.take("frame_ms", is_frames)
     found = Motion(
-        scene=fields.take("scene", is_text),
+        scene=fields.take("scene", is_filled),
         frame_ms=tuple(tuple(frames) for frames in times),
         warmup=fields.take("warmup_frames", is_whole),
     )

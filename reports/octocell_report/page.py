@@ -64,7 +64,11 @@ def owned_names() -> set[str]:
 
 
 def build(
-    result: Result, folder: Path, ablation: Result | None = None, error: Study | None = None
+    result: Result,
+    folder: Path,
+    ablation: Result | None = None,
+    error: Study | None = None,
+    inputs: Sequence[Path] = (),
 ) -> list[str]:
     """Writes plots, tables and index.html; returns the names written. All or nothing.
 
@@ -73,7 +77,7 @@ def build(
     """
     owned = owned_names() | (ablation_files.owned_names() if ablation else set())
     owned |= error_files.owned_names() if error else set()
-    with staged_folder(folder, owned) as staging:
+    with staged_folder(folder, owned, inputs) as staging:
         images.write(plots.draw_all(result), staging)
         if ablation:
             ablation_files.write(ablation, staging)

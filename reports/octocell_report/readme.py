@@ -20,6 +20,7 @@ from statistics import median
 
 from octocell_report import (
     evidence,
+    markdown,
     readme_gpu,
     readme_kinds,
     readme_promise,
@@ -29,7 +30,7 @@ from octocell_report import (
     words,
 )
 from octocell_report.fields import ReportError, naming
-from octocell_report.files import read_text, replace_text
+from octocell_report.files import read_text, write_text
 from octocell_report.load import Impl, Place, Result, Row, load
 from octocell_report.markdown import table
 from octocell_report.sort import SortResult
@@ -52,7 +53,7 @@ def rewrite(
     with naming(path):
         fresh, differing = filled(result, text, path.parent, folders)
     if differing and not check_only:
-        replace_text(path, fresh)
+        write_text(path, fresh)
     return differing
 
 
@@ -73,7 +74,9 @@ def filled(
             block = SORT_BLOCKS[name](sorts(folder / source))
         else:
             block = BLOCKS[name](benches(folder / source) if source else result)
-        block = f"\n{block}\n".replace("\n", newline)
+        if _MARKER.search(block):
+            raise ReportError(f"block '{name}' would hold a marker: a name in the result looks so")
+        block = f"\n{markdown.plain(block)}\n".replace("\n", newline)
         parts += [text[end:start], block]
         if text[start:stop] != block:
             differing.append(f"{name} {source}".strip())

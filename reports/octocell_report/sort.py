@@ -16,6 +16,7 @@ from octocell_report.fields import (
     Json,
     ReportError,
     is_bool,
+    is_filled,
     is_list,
     is_object,
     is_text,
@@ -126,7 +127,7 @@ def parse(document: Any) -> SortResult:
 
 def _row(item: Any, index: int) -> SortRow:
     fields = Fields(item, f"row {index}")
-    name = fields.take("name", is_text)
+    name = fields.take("name", is_filled)
     fields.title = f"row {index} ({name})"
     status = fields.take("status", one_of(*STATUSES))
     times = tuple(fields.take("total_ms", is_times))
@@ -136,7 +137,7 @@ def _row(item: Any, index: int) -> SortRow:
         raise ReportError(f"{fields.title}: says {status}, but has a time")
     return SortRow(
         name=name,
-        sort=Sort(fields.take("algorithm", is_text), fields.take("threads", is_whole)),
+        sort=Sort(fields.take("algorithm", is_filled), fields.take("threads", is_whole)),
         device=fields.take("device", one_of(*DEVICES)),
         n=fields.take("n", is_whole),
         bits=fields.take("bits", is_whole),

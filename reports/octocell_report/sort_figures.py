@@ -4,7 +4,7 @@ key, and by the order that the pairs come in."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
@@ -33,7 +33,7 @@ _MARKERS = ("o", "s", "D", "^", "v", "P", "X", "h")
 _COLUMNS = 4  # of facets
 
 
-def build(result: SortResult, folder: Path) -> list[str]:
+def build(result: SortResult, folder: Path, inputs: Sequence[Path] = ()) -> list[str]:
     """Writes the figures that have something to show, and the table; returns their names."""
     host, device = result.on("cpu"), result.on("gpu")
     figures: dict[str, Callable[[], Figure | None]] = {
@@ -44,7 +44,7 @@ def build(result: SortResult, folder: Path) -> list[str]:
         "sort_gpu_by_order.png": lambda: draw_by_order(device),
     }
     names = []
-    with staged_folder(folder, set(NAMES)) as staging, plt.rc_context(style.RC):
+    with staged_folder(folder, NAMES, inputs) as staging, plt.rc_context(style.RC):
         for name, draw in figures.items():
             figure = draw()
             if figure is None:

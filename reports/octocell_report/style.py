@@ -88,6 +88,7 @@ RC: dict[str, Any] = {
     "grid.color": GRID,
     "grid.linewidth": 0.8,
     "text.color": INK,
+    "text.parse_math": False,  # names come from data: a dollar sign in one is a dollar sign
     "xtick.color": INK,
     "ytick.color": INK,
     "legend.frameon": False,
