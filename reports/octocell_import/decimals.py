@@ -20,6 +20,7 @@ Floats = NDArray[np.float32]
 
 _BELOW_FLOAT32 = np.uint64((1 << 29) - 1)  # the bits of a float64 that a float32 lacks
 _MIDWAY = np.uint64(1 << 28)
+_LONGEST_WORD = 1000  # characters of a number: enough to write any midpoint of two float32
 _LEAST_NORMAL = float(np.finfo(np.float32).smallest_normal)
 
 
@@ -75,12 +76,16 @@ def _round_numbers(column: NDArray[np.floating], exponent: int) -> Floats:
 
 def _parse(words: Sequence[str], shown: Sequence[str]) -> NDArray[np.float64]:
     strange = "_" in "".join(words) or not "".join(words).isascii()  # Python reads 1_0 as 10
+    long = max(map(len, words), default=0) > _LONGEST_WORD
     try:
-        if not strange:
+        if not strange and not long:
             return np.fromiter(map(float, words), np.float64, len(words))
     except ValueError:
         pass
     for index, word in enumerate(words):
+        if len(word) > _LONGEST_WORD:
+            why = f"has {len(word)} characters; a number has at most {_LONGEST_WORD}"
+            raise NotAFloat(index, f"{quote(shown[index])} {why}")
         try:
             if "_" in word or not word.isascii():
                 raise ValueError

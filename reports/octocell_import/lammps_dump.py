@@ -126,7 +126,8 @@ def _from_scaled(
             scaled = to_float64(table.column(name))
         except NotAFloat as error:
             table.file.refuse(f"{name} {error}", table.lines[error.index])
-        found.append(np.asarray(low + scaled * (high - low)))
+        with np.errstate(all="ignore"):  # what is not finite is refused with its line
+            found.append(np.asarray(low + scaled * (high - low)))
     if len(found) != 3:
         table.file.refuse("scaled coordinates without ITEM: BOX BOUNDS", titles)
     return found[0], found[1], found[2]

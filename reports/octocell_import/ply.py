@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import io
+import warnings
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -16,13 +17,18 @@ from octocell_import.errors import InputError
 from octocell_import.frame import Frame
 from octocell_import.text import DAMAGED, open_bytes, unreadable
 
+# What plyfile and NumPy say of headers that cannot be meant: counts below zero or beyond memory.
+_NO_PLY = (PlyParseError, ValueError, ArithmeticError, LookupError, TypeError, MemoryError)
+
 
 def read_ply(path: Path) -> Iterator[Frame]:
     try:
         with open_bytes(path) as stream:
             content = io.BytesIO(stream.read())  # of a file itself plyfile may leave a handle open
-        data = PlyData.read(content, mmap=False)
-    except (PlyParseError, UnicodeDecodeError, MemoryError) as error:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of rows that are not there, which are refused below
+            data = PlyData.read(content, mmap=False)
+    except _NO_PLY as error:
         raise InputError(f"{path}: no sound PLY: {' '.join(str(error).split())}") from error
     except DAMAGED as error:
         raise unreadable(path, error) from error

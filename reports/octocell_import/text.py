@@ -13,6 +13,7 @@ from typing import IO, NoReturn, cast
 from octocell_import.errors import InputError, quote
 
 COMPRESSED = {".gz": gzip.GzipFile, ".bz2": bz2.BZ2File, ".xz": lzma.LZMAFile}
+_DIGITS = 18  # of a number of things, which fits into 64 bits
 DAMAGED = (OSError, EOFError, zlib.error, lzma.LZMAError)
 
 
@@ -75,6 +76,6 @@ class TextFile:
     def whole(self, text: str, what: str) -> int:
         """A number of things; refuses the current line."""
         word = text.strip()
-        if not (word.isascii() and word.isdigit()):
+        if not (word.isascii() and word.isdigit() and len(word) <= _DIGITS):
             self.refuse(f"{quote(text)} is no {what}")
         return int(word)

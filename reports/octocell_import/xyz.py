@@ -15,6 +15,8 @@ from octocell_import.errors import quote
 from octocell_import.frame import Frame
 from octocell_import.text import TextFile
 
+_SIZE = re.compile(r"[0-9]{1,9}")
+_SIZES = {"species": 1, "pos": 3, "radius": 1}  # columns of what is used
 _PLAIN = {"species": 0, "pos": 1}
 
 
@@ -35,11 +37,13 @@ def _columns(file: TextFile, comment: str) -> tuple[dict[str, int], int] | None:
     if found is None:
         return None
     words = found[1].split(":")
-    if len(words) % 3 or not all(word.isdigit() for word in words[2::3]):
+    if len(words) % 3 or not all(_SIZE.fullmatch(word) for word in words[2::3]):
         file.refuse(f"Properties is no list of name:type:columns: {quote(found[1])}")
     first: dict[str, int] = {}
     total = 0
     for name, size in zip(words[0::3], words[2::3], strict=True):
+        if int(size) != _SIZES.get(name, int(size)):
+            file.refuse(f"Properties gives {name} {size} columns, not {_SIZES[name]}")
         first[name] = total
         total += int(size)
     if "species" not in first or "pos" not in first:

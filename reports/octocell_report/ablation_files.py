@@ -43,8 +43,8 @@ def build(result: Result, folder: Path, inputs: Sequence[Path] = ()) -> list[str
 
 def write(result: Result, folder: Path) -> None:
     images.write(plots.draw_ablation(result), folder)
-    rows_frame(result).convert_dtypes().to_csv(folder / "ablation.csv", index=False)
-    regret_frame(result).convert_dtypes().to_csv(folder / "regret.csv", index=False)
+    frames.save(rows_frame(result), folder / "ablation.csv")
+    frames.save(regret_frame(result), folder / "regret.csv")
     (folder / "ablation.md").write_text(markdown.plain(text(result, folder)), encoding="utf-8")
 
 

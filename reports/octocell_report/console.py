@@ -7,6 +7,7 @@ import argparse
 import io
 import os
 import sys
+import warnings
 from collections.abc import Callable
 from contextlib import suppress
 from typing import NoReturn
@@ -15,6 +16,8 @@ from octocell_report.fields import ReportError, printable
 
 BAD_INPUT, INTERRUPTED, NO_READER = 2, 130, 141
 _LONGEST = 2000  # characters of a message
+# Of plots with names that are very long, or in letters that the font lacks: they are seen there.
+_LAYOUT = r"Glyph \d+ .*missing|constrained_layout not applied"
 
 
 class Parser(argparse.ArgumentParser):
@@ -35,7 +38,9 @@ def run(program: str, work: Callable[[], int]) -> int:
     _prepare()
     try:
         try:
-            return work()
+            with warnings.catch_warnings():
+                warnings.filterwarnings("ignore", _LAYOUT, UserWarning)
+                return work()
         finally:
             sys.stdout.flush()
     except KeyboardInterrupt:

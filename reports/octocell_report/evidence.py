@@ -17,6 +17,7 @@ from octocell_report.fields import (
     ReportError,
     is_bool,
     is_filled,
+    is_filled_texts,
     is_list,
     is_number,
     is_object,
@@ -224,11 +225,14 @@ def _stress(document: Fields, source: Source) -> list[StressRow]:
 
 
 def _compilers(document: Fields, source: Source) -> list[Matrix]:
-    configurations = document.take("configurations", is_texts)
+    configurations = document.take("configurations", is_filled_texts)
     if not configurations:
         raise ReportError("result: 'configurations' is empty")
     checksums = document.take("checksums", is_whole)
-    failures, refused = document.take("failures", is_texts), document.take("refused", is_texts)
+    failures, refused = (
+        document.take("failures", is_texts),
+        document.take("refused", is_filled_texts),
+    )
     return [Matrix(source, configurations, checksums, failures, refused)]
 
 

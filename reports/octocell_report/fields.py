@@ -79,6 +79,10 @@ is_texts: Check = (
     "a list of texts",
     lambda v: isinstance(v, list) and all(text(t) for t in v),
 )
+is_filled_texts: Check = (
+    "a list of texts, none empty",
+    lambda v: isinstance(v, list) and all(text(t) and t.strip() for t in v),
+)
 is_bool: Check = ("true or false", lambda v: isinstance(v, bool))
 is_whole: Check = ("a whole number, 0 or more, below 2^63", whole)
 is_number: Check = (f"a number, 0 or more, below {_MOST:g}", number)

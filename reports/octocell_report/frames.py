@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from statistics import median
 
+import numpy as np
 import pandas as pd
 
 from octocell_report import bandwidth, dynamic, tables, words
@@ -210,7 +211,12 @@ def write(tables: Mapping[str, pd.DataFrame], folder: Path) -> None:
     """Each as NAME.csv; an empty one has no file."""
     for name, table in tables.items():
         if not table.empty:
-            table.convert_dtypes().to_csv(folder / f"{name}.csv", index=False)
+            save(table, folder / f"{name}.csv")
+
+
+def save(table: pd.DataFrame, path: Path) -> None:
+    with np.errstate(invalid="ignore"):  # numbers that no integer can hold stay what they are
+        table.convert_dtypes().to_csv(path, index=False)
 
 
 def estimate(name: str, value: Estimate | None) -> dict[str, float | None]:

@@ -14,7 +14,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
 
-from octocell_report import style, words
+from octocell_report import frames, style, words
 from octocell_report.files import staged_folder
 from octocell_report.sort import ORDERS, TITLES, Sort, SortResult, SortRow, frame
 
@@ -52,7 +52,7 @@ def build(result: SortResult, folder: Path, inputs: Sequence[Path] = ()) -> list
             figure.savefig(staging / name, dpi=style.DPI)
             plt.close(figure)
             names.append(name)
-        frame(result).convert_dtypes().to_csv(staging / TABLE, index=False)
+        frames.save(frame(result), staging / TABLE)
     return [*names, TABLE]
 
 
