@@ -6,16 +6,21 @@ They ship in the PyPI package MDAnalysisTests, which is downloaded (60 MB) but n
 Without a network they stay absent: that is said in one line, and only --strict makes it an error.
 """
 
-import argparse
 import bz2
 import hashlib
-import os
 import subprocess
 import sys
 import tarfile
 import tempfile
 from pathlib import Path
 from typing import NamedTuple
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "reports"))
+
+from octocell_report.console import Parser, run  # noqa: E402
+from octocell_report.fields import ReportError, printable  # noqa: E402
+from octocell_report.files import write_whole  # noqa: E402
 
 PACKAGE = "MDAnalysisTests==2.11.0"
 
@@ -42,7 +47,7 @@ FILES = [
         "lammps/datatest.data", "d66c8b261d09582f388c2653a0af025e8870f9f805ab6a10415ce775e89c8710"
     ),
 ]
-FOLDER = Path(__file__).resolve().parent.parent / "data"
+FOLDER = ROOT / "data"
 DOWNLOAD_SECONDS = 300
 
 
@@ -98,17 +103,6 @@ def read_members(archive: Path, files: list[Wanted]) -> dict[Wanted, bytes]:
     return found
 
 
-def write_whole(target: Path, content: bytes) -> None:
-    """The target appears whole or not at all."""
-    target.parent.mkdir(parents=True, exist_ok=True)
-    part = target.with_name(f".{target.name}.{os.getpid()}.part")
-    try:
-        part.write_bytes(content)
-        os.replace(part, target)
-    finally:
-        part.unlink(missing_ok=True)
-
-
 def fetch(folder: Path) -> str:
     """Returns what was done, in one line."""
     missing = [file for file in FILES if not is_there(file, folder)]
@@ -116,6 +110,7 @@ def fetch(folder: Path) -> str:
         return f"{folder}: {len(FILES)} files are there"
     with tempfile.TemporaryDirectory() as temporary:
         found = read_members(download_package(Path(temporary)), missing)
+    folder.mkdir(parents=True, exist_ok=True)
     for file, content in found.items():
         write_whole(folder / file.name, content)
     names = ", ".join(file.name for file in missing)
@@ -123,16 +118,17 @@ def fetch(folder: Path) -> str:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = Parser(description=__doc__.splitlines()[0])
     parser.add_argument("--strict", action="store_true", help="exit with 1 if one cannot be had")
     arguments = parser.parse_args()
     try:
         print(fetch(FOLDER))
-    except (Unavailable, OSError) as error:
-        print(f"real scenes could not be fetched into {FOLDER}: {error}", file=sys.stderr)
+    except (Unavailable, OSError, ReportError) as error:
+        why = printable(f"real scenes could not be fetched into {FOLDER}: {error}")
+        print(why, file=sys.stderr)
         return 1 if arguments.strict else 0
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run("fetch_data", main))

@@ -116,3 +116,23 @@ def test_a_log_that_does_not_tell_is_an_error(tmp_path: Path, argument: str) -> 
     done = sanitize(tmp_path, argument.format(folder=tmp_path))
     assert done.returncode == 2 and done.stderr.startswith("sanitizers: ")
     assert done.stderr.count("\n") == 1 and not (tmp_path / "out.json").exists()
+
+
+@pytest.mark.parametrize("kind", ["hard", "symbolic"])
+def test_no_log_is_written_over(tmp_path: Path, kind: str) -> None:
+    log, out = tmp_path / "a.log", tmp_path / "out.json"
+    log.write_text(CTEST.format(failed=0), encoding="utf-8")
+    out.hardlink_to(log) if kind == "hard" else out.symlink_to(log)
+    done = sanitize(tmp_path, f"TSan={log}")
+    assert done.returncode == 2 and "is the same file as the input" in done.stderr
+    assert done.stderr.count("\n") == 1 and log.read_text() == CTEST.format(failed=0)
+
+
+def test_a_campaign_is_not_begun_where_its_end_could_not_be_written(tmp_path: Path) -> None:
+    fuzzer(tmp_path, "scenes", 700)
+    fuzzer(tmp_path, "files", 900)
+    for out in (tmp_path, tmp_path / "tests" / "fuzz_files"):
+        command = [sys.executable, str(CAMPAIGN), "--build", str(tmp_path), "-o", str(out)]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert done.returncode == 2 and done.stdout == ""
+        assert done.stderr.count("\n") == 1 and "cannot be written" in done.stderr

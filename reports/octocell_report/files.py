@@ -125,6 +125,15 @@ def write_text(path: Path, text: str) -> None:
     write_whole(path, text.encode())
 
 
+def write_json(path: Path, document: object) -> None:
+    """Its folder is made if it is not there."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise _unwritten(path, error) from error
+    write_text(path, json.dumps(document, indent=1) + "\n")
+
+
 def write_whole(path: Path, *parts: Bytes) -> None:
     """Replaces a file in one step, or writes to a device. Throws ReportError; it is as it was.
 

@@ -94,3 +94,15 @@ def test_without_a_network_one_line_says_so(script, monkeypatch, tmp_path, capsy
         assert script.main() == code
         err = capsys.readouterr().err
         assert err.count("\n") == 1 and "no network" in err
+
+
+def test_what_is_read_only_is_not_replaced(script, monkeypatch, tmp_path, capsys):
+    serve(script, monkeypatch, tmp_path, CONTENTS)
+    (tmp_path / "one.pqr").write_bytes(b"mine")
+    (tmp_path / "one.pqr").chmod(0o444)
+    monkeypatch.setattr(script, "FOLDER", tmp_path)
+    monkeypatch.setattr(sys, "argv", ["fetch_data.py", "--strict"])
+    assert script.main() == 1
+    err = capsys.readouterr().err
+    assert err.count("\n") == 1 and "read-only" in err
+    assert (tmp_path / "one.pqr").read_bytes() == b"mine"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Outputs: never an input or each other under two names, whole or not at all, as private as before."""
+"""Outputs: no input, nor each other, under two names; whole or not at all; as private as before."""
 
 from __future__ import annotations
 

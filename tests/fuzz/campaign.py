@@ -7,8 +7,6 @@ A target that fails ends the campaign: what it found lies in the folder `found`,
 
 from __future__ import annotations
 
-import argparse
-import json
 import os
 import re
 import subprocess
@@ -19,8 +17,10 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests"))
+sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "reports")]
 
+from octocell_report.console import Parser, run  # noqa: E402
+from octocell_report.files import check_outputs, write_json  # noqa: E402
 from provenance import context  # noqa: E402
 
 
@@ -51,12 +51,16 @@ def runs_of(lines: Iterable[str]) -> int:
     return found
 
 
+def program(build: Path, name: str) -> Path:
+    return build / "tests" / f"fuzz_{name}"
+
+
 def fuzz(name: str, build: Path, seconds: int) -> Tried:
     """Shows what the fuzzer says while it says it."""
     corpus, found = build / "corpus" / name, build / "found"
     corpus.mkdir(parents=True, exist_ok=True)
     found.mkdir(parents=True, exist_ok=True)
-    command = [str(build / "tests" / f"fuzz_{name}"), "-max_len=600", "-print_final_stats=1"]
+    command = [str(program(build, name)), "-max_len=600", "-print_final_stats=1"]
     command += [f"-max_total_time={seconds}", f"-artifact_prefix={found}/{name}-"]
     command += [str(corpus), str(ROOT / "tests/fuzz/corpus" / name)]
     begin, lines = time.monotonic(), []
@@ -78,11 +82,12 @@ def fuzz(name: str, build: Path, seconds: int) -> Tried:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = Parser(description=__doc__)
     parser.add_argument("--build", type=Path, default=ROOT / "build-fuzz", help="of preset fuzz")
     parser.add_argument("--seconds", type=int, default=300, help="for each target")
     parser.add_argument("-o", "--output", type=Path, required=True, help="JSON to write")
     arguments = parser.parse_args()
+    check_outputs([arguments.output], (program(arguments.build, name) for name in TARGETS))
 
     document = {"schema": 1, "kind": "fuzz", "context": context(), "targets": []}
     failed = False
@@ -92,12 +97,11 @@ def main() -> int:
         failed = tried.crashes > 0
         if failed:
             break
-    arguments.output.parent.mkdir(parents=True, exist_ok=True)
-    arguments.output.write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
+    write_json(arguments.output, document)
     total = sum(target["runs"] for target in document["targets"])
     print(f"{total} inputs, {'a failure' if failed else 'no failure'}; {arguments.output}")
     return 1 if failed else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run("campaign", main))

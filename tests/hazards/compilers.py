@@ -6,8 +6,6 @@ Also: everything that would void the proofs (-ffast-math) must be refused at com
 
 from __future__ import annotations
 
-import argparse
-import json
 import shutil
 import subprocess
 import sys
@@ -17,8 +15,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests"))
+sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "reports")]
 
+from octocell_report import console  # noqa: E402
+from octocell_report.files import check_outputs, write_json  # noqa: E402
 from provenance import context  # noqa: E402
 
 # impl_cpu as the build compiles it; nothing else of the build's flags: no -fno-tree-slp-vectorize.
@@ -138,12 +138,13 @@ def version(compiler: str) -> str:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = console.Parser(description=__doc__)
     parser.add_argument("--slice", action="store_true", help="two configurations instead of all")
     parser.add_argument("--jobs", type=int, default=2, help="compilers at a time")
     parser.add_argument("--build", type=Path, default=ROOT / "build/hazards", help="for objects")
     parser.add_argument("-o", "--output", type=Path, help="JSON to write")
     arguments = parser.parse_args()
+    check_outputs([arguments.output] if arguments.output else [])
 
     failures = [f"{what} is accepted" for what in flags_that_compile()]
     configurations = two_configurations() if arguments.slice else all_configurations()
@@ -165,7 +166,6 @@ def main() -> int:
         f"{len(failures)} failures"
     )
     if arguments.output:
-        arguments.output.parent.mkdir(parents=True, exist_ok=True)
         result = {
             "schema": 1,
             "kind": "compilers",
@@ -176,9 +176,9 @@ def main() -> int:
             "refused": [f"{compiler} {flag}" for compiler in compilers() for flag in REFUSED],
             "failures": failures,
         }
-        arguments.output.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+        write_json(arguments.output, result)
     return 1 if failures else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(console.run("compilers", main))

@@ -8,16 +8,17 @@ Exit code 1 if there is a report, 2 if a log does not say how many tests ran.
 
 from __future__ import annotations
 
-import argparse
-import json
 import re
 import sys
 from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests"))
+sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "reports")]
 
+from octocell_report.console import Parser, run  # noqa: E402
+from octocell_report.fields import ReportError  # noqa: E402
+from octocell_report.files import check_outputs, write_json  # noqa: E402
 from provenance import context  # noqa: E402
 
 
@@ -26,7 +27,7 @@ _TESTS = re.compile(r"tests passed, (\d+) tests? failed out of (\d+)")
 _SUMMARY = re.compile(r"={5,} (?:ERROR|RACECHECK) SUMMARY: (\d+) (?:error|hazard)")
 
 
-class Unreadable(Exception):
+class Unreadable(ReportError):
     """A log that does not tell how it ended."""
 
 
@@ -56,22 +57,19 @@ def tool_of(argument: str) -> dict[str, Any]:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = Parser(description=__doc__)
     parser.add_argument("logs", nargs="+", metavar="NAME=LOG")
     parser.add_argument("-o", "--output", type=Path, required=True, help="JSON to write")
     arguments = parser.parse_args()
-    try:
-        tools = [tool_of(argument) for argument in arguments.logs]
-    except Unreadable as error:
-        print(f"sanitizers: {error}", file=sys.stderr)
-        return 2
+    logs = (Path(argument.rpartition("=")[2]) for argument in arguments.logs)
+    check_outputs([arguments.output], logs)
+    tools = [tool_of(argument) for argument in arguments.logs]
     document = {"schema": 1, "kind": "sanitizers", "context": context(), "tools": tools}
-    arguments.output.parent.mkdir(parents=True, exist_ok=True)
-    arguments.output.write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
+    write_json(arguments.output, document)
     for tool in tools:
         print(f"{tool['name']}: {tool['tests']} tests, {tool['reports']} reports")
     return 1 if any(tool["reports"] for tool in tools) else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run("sanitizers", main))

@@ -20,12 +20,16 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeVar
 
-from runner import Check, Runner
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "reports"))
+
+from octocell_report.console import Parser, run  # noqa: E402
+from octocell_report.files import check_outputs, write_json  # noqa: E402
+from runner import Check, Runner  # noqa: E402
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
-ROOT = Path(__file__).resolve().parents[2]
 SOURCES = ("harness", "impl_cpu", "impl_thrust", "impl_cuda_custom")
 PLANTED = re.compile(r"OCTOCELL_FAULT\(\s*(\w+)\s*,")
 DEVICE = "impl_cuda_custom"  # its faults need a GPU
@@ -250,12 +254,11 @@ class Document:
             "checks": [{"name": name, "seconds": round(s, 2)} for name, s in self.cost.items()],
             "faults": [verdict.to_json() for verdict in self.verdicts],
         }
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
+        write_json(path, document)
 
 
 def parse_arguments() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = Parser(description=__doc__)
     parser.add_argument(
         "--build", type=Path, default=ROOT / "build-faults", help="folder of octocell and tests/"
     )
@@ -296,6 +299,7 @@ def main() -> int:
     arguments = parse_arguments()
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # as Ctrl-C: nothing is left running
     program = arguments.build.resolve() / "octocell"
+    check_outputs([arguments.output], [program])
     faults = [fault for fault in faults_in(program) if arguments.only.fullmatch(fault.name)]
     if not faults:
         print(f"mutants: --only {arguments.only.pattern}: no such fault", file=sys.stderr)
@@ -329,4 +333,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run("mutants", main))
