@@ -10,10 +10,10 @@ import random
 
 import pandas as pd
 import pytest
-from PIL import Image
+from matplotlib.text import Text
 
 from octocell_import.cli import main as importer
-from octocell_report import images, readme
+from octocell_report import images
 from octocell_report.cli import main
 
 import synthetic
@@ -32,10 +32,14 @@ VALUES = [
 ]
 
 
-def small(scenes: dict[str, list[int]] | None = None) -> Json:
-    document = synthetic.whole_run(scenes or {"gas": [1000, 2000]})
+def small() -> Json:
+    document = synthetic.whole_run({"gas": [1000, 2000]})
     kept = ("impl_cpu", "bullet_dbvt", "fcl_dynamic_aabb_tree")
-    document["rows"] = [row for row in document["rows"] if row["backend"] in kept]
+    document["rows"] = [
+        row
+        for row in document["rows"]
+        if row["backend"] in kept and row["rule"] != "chapter32" and "update" not in row["run"]
+    ]
     return document
 
 
@@ -63,32 +67,38 @@ def outcome(capsys):
     return run
 
 
+@pytest.fixture
+def undrawn(monkeypatch):
+    """All is laid out but nothing drawn; the texts of the figures."""
+    texts = []
+
+    def look(figures, folder):
+        for name, figure in figures:
+            texts.extend(figure.findobj(Text))
+            (folder / f"{name}.png").write_bytes(b"")
+
+    monkeypatch.setattr(images, "write", look)
+    return texts
+
+
 @pytest.mark.parametrize("name", NAMES)
-def test_no_name_is_too_strange_for_the_plots(tmp_path, save, outcome, name):
-    document = renamed(renamed(small(), "gas", name), "bullet_dbvt", f"b {name}")
-    code, _, _ = outcome(main, "build", save(document), "-o", tmp_path / "out")
-    assert code == 0
+def test_no_name_is_too_strange_for_a_report(tmp_path, save, outcome, undrawn, name):
+    path = save(renamed(renamed(small(), "gas", name), "bullet_dbvt", f"b {name}"))
+    assert outcome(main, "build", path, "-o", tmp_path / "out")[0] == 0
     times = pd.read_csv(tmp_path / "out" / "times.csv")
     shown = name.replace("\n", "\\n").replace("\x1b", "\\x1b").replace("\ud800", "\\ud800")
     assert set(times["scene"]) == {shown}
-    assert f"<b>{name}" not in (tmp_path / "out" / "index.html").read_text(encoding="utf-8")
+    assert "<b>&amp;" not in (tmp_path / "out" / "index.html").read_text(encoding="utf-8")
+    assert shown in {text.get_text() for text in undrawn}
+    assert not any(text.get_parse_math() for text in undrawn)
 
 
-@pytest.mark.parametrize("name", ["$x_{$", "a$b$c"])
-def test_no_name_is_too_strange_for_the_plots_of_sorts(tmp_path, save, outcome, name):
-    path = save(renamed(gpu_cases(), "cub", name))
+def test_strange_names_are_drawn(tmp_path, save, outcome):
+    document = renamed(small(), "gas", "$x_{$.npy a$b$c \ud800日本😀")
+    path = save(renamed(document, "bullet_dbvt", "_$\\frac{$"))
+    assert outcome(main, "build", path, "-o", tmp_path / "out")[0] == 0
+    path = save(renamed(gpu_cases(), "cub", "$x_{$"))
     assert outcome(main, "sort", path, "-o", tmp_path / "out")[0] == 0
-
-
-def test_a_formula_is_drawn_as_it_is_spelled(tmp_path, save, outcome):
-    """Dollar signs are drawn: with them the heading is wider than the formula would be."""
-    widths = []
-    for name in ("a$b$c", "a\u200bb\u200bc"):
-        path = save(renamed(small(), "gas", name))
-        assert outcome(main, "build", path, "-o", tmp_path / "out")[0] == 0
-        with Image.open(tmp_path / "out" / "correctness.png") as image:
-            widths.append(image.convert("L").tobytes().count(0x1F) + image.size[0])
-    assert widths[0] != widths[1]
 
 
 TEXTS = {
@@ -137,6 +147,15 @@ def test_empty_names_are_refused(save, outcome, field, name):
     assert code == 2 and f"field '{field}' is \"{name}\", not text, not empty" in err
 
 
+@pytest.mark.parametrize("gone", ["gpu", "name", "copy_gigabytes_per_second"])
+def test_sorts_on_a_gpu_that_is_not_named_are_refused(tmp_path, save, outcome, gone):
+    document = gpu_cases()
+    context = document["context"]
+    del (context if gone == "gpu" else context["gpu"])[gone]
+    code, _, err = outcome(main, "sort", save(document), "-o", tmp_path / "out")
+    assert code == 2 and f"lacks the field '{gone}'" in err
+
+
 def test_nothing_measured_is_no_traceback(tmp_path, save, outcome):
     path = save(synthetic.document([], []))
     assert outcome(main, "check", path)[0] == 1
@@ -180,7 +199,7 @@ def test_names_are_names_in_markdown(tmp_path, save, outcome):
     name = "a|b\\|c`d$e$<b>\n"
     assert outcome(main, "readme", save(renamed(small(), "gas", name)), path)[0] == 0
     lines = [line for line in path.read_text().splitlines() if line.startswith("|")]
-    assert "a\\|b\\\\\\\\\\|c&#96;d&#36;e&#36;&#60;b>\\n" in lines[0]
+    assert "a\\|b\\\\\\|c&#96;d&#36;e&#36;&#60;b>\\n" in lines[0]
     assert len({line.replace("\\|", "").count("|") for line in lines}) == 1
 
 
@@ -224,26 +243,20 @@ def save_mutated(path, document, luck):
     return path
 
 
-def test_a_few_hundred_strange_results_end_well(tmp_path, outcome, monkeypatch):
-    def undrawn(figures, folder):
-        """All is laid out but nothing drawn."""
-        for name, _ in figures:
-            (folder / f"{name}.png").write_bytes(b"")
-
-    monkeypatch.setattr(images, "write", undrawn)
+def test_strange_results_end_well(tmp_path, outcome, undrawn):
     luck, codes = random.Random(18), []
     old, new, md = tmp_path / "old.json", tmp_path / "new.json", tmp_path / "R.md"
     old.write_text(json.dumps(small()))
-    for turn in range(300):
+    for turn in range(200):
         save_mutated(new, small(), luck)
         codes.append(outcome(main, "check", new)[0])
         if codes[-1] != 2:
-            md.write_text("".join(MARKED.replace("correctness", b) for b in readme.BLOCKS))
+            md.write_text(MARKED + MARKED.replace("correctness", "speed"))
             outcome(main, "compare", old, new)
             outcome(main, "readme", new, md)
-            if turn % 5 == 0:
+            if turn % 10 == 0:
                 outcome(main, "build", new, "-o", tmp_path / "out")
-    assert 50 < codes.count(2) < 290  # some of them are read
+    assert 50 < codes.count(2) < 190  # some of them are read
 
 
 def test_strange_evidence_ends_well(tmp_path, outcome):
@@ -268,6 +281,7 @@ EXTENDED = "2\nProperties=species:S:1:pos:R:3:radius:R:1\nC 1 2 3 1\nO 2 3 4 1\n
 
 def test_strange_scenes_end_well(tmp_path, outcome):
     from test_import_bad import ATOMIC, PLAIN_DUMP, PLAIN_PLY
+
     from test_import_formats import GRO, PDB, PQR
 
     texts = {"gro": GRO, "pdb": PDB, "pqr": PQR, "data": ATOMIC, "dump": PLAIN_DUMP}
