@@ -249,7 +249,7 @@ def test_a_full_disk_behind_standard_output_is_said(tmp_path, save, module):
         assert b"standard output: No space left" in done.stderr and done.stderr.count(b"\n") == 1
 
 
-def test_nobody_reading_is_no_traceback(tmp_path, save):
+def test_a_closed_pipe_is_no_traceback(tmp_path, save):
     result = save(synthetic_ablation.every_case())
     end, start = os.pipe()
     os.close(end)
