@@ -3,9 +3,12 @@
 // that is timed. A baseline adds how its library does each.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "baselines/candidate_sink.hpp"
 

@@ -3,6 +3,9 @@
 #include "harness/interface/faults.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
 
 #include "impl_cpu/coherence/coherence.hpp"
 #include "impl_cpu/stages.hpp"

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
+#include <cstdint>
+#include <span>
+
 #include "harness/interface/faults.hpp"
 #include "harness/interface/pair.hpp"
 #include "impl_cpu/shared_list.hpp"

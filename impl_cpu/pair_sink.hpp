@@ -2,6 +2,9 @@
 // Where one thread's stage 5 leaves what it finds.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "harness/interface/faults.hpp"
 #include "harness/interface/flags.hpp"
 #include "impl_cpu/stages.hpp"

@@ -6,6 +6,7 @@
 #include "harness/interface/faults.hpp"
 #include "impl_cpu/block_size.hpp"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 

@@ -3,7 +3,10 @@
 // Reads spheres. Writes a violation, or nothing.
 // Cost: one pass, 16 bytes a sphere.
 // Idea: the plan's proofs rest on a few facts; checking them is one reduction, trusting them none.
+#include <cstdint>
 #include <mutex>
+#include <optional>
+#include <span>
 
 #include "harness/interface/faults.hpp"
 #include "harness/interface/flags.hpp"

@@ -4,7 +4,11 @@
 // Cost: about 40 operations a sphere and 8 bytes an id.
 // Idea: homes fill [0, n), phantoms follow, so that a stable sort by cell alone leaves the homes of
 //       each cell before its phantoms. Unused phantom slots are never written, hence never sorted.
+#include <algorithm>
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "harness/interface/as_written.hpp"
 #include "harness/interface/faults.hpp"

@@ -3,6 +3,8 @@
 // Reads and writes cell ids with their objects, grouped by cell, homes before phantoms.
 // Cost: 20 bytes an id and pass; ceil(key_bits / 9) passes.
 // Idea: only the bits that ids of this grid can have are sorted.
+#include <cstdint>
+
 #include "impl_cpu/radix_sort.hpp"
 #include "impl_cpu/stages.hpp"
 

@@ -3,6 +3,9 @@
 // Reads sorted cell ids and objects. Writes one entry a cell in which a pair can be tested.
 // Cost: 8 bytes an id.
 // Idea: a cell begins where the id changes; cells with nothing to test are left out here, once.
+#include <atomic>
+#include <cstdint>
+
 #include "harness/interface/faults.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"

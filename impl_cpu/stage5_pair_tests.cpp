@@ -4,6 +4,11 @@
 // Cost: 16 bytes gathered an id, then about one vector operation a candidate and eighth.
 // Idea: float32 with a proved band decides all but a few pairs in a million; the rule that names
 //       the one cell in which a pair counts is asked only for pairs that may overlap.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
 #include "harness/interface/as_written.hpp"
 #include "harness/interface/faults.hpp"
 #include "impl_cpu/block_size.hpp"

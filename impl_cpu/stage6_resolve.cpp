@@ -6,6 +6,8 @@
 //       certain answers.
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <span>
 
 #include "harness/interface/faults.hpp"
 #include "impl_cpu/block_size.hpp"

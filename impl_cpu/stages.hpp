@@ -2,8 +2,10 @@
 // The six stages of impl_cpu, and what they hand on.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 

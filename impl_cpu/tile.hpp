@@ -2,6 +2,9 @@
 // Up to 1024 spheres, field by field, next to each other: what the inner loop of stage 5 reads.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/lanes.hpp"
 #include "impl_cpu/stages.hpp"

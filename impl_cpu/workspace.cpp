@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cstdint>
+
 #include "impl_cpu/half_shell/half_shell.hpp"
 #include "impl_cpu/stages.hpp"
 

@@ -6,6 +6,8 @@
 #ifdef __CUDACC__
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 #include "harness/interface/faults.hpp"
 #include "harness/interface/flags.hpp"

@@ -2,6 +2,8 @@
 // The cells that a sphere's box meets, numbered, so that any thread can name any one of them.
 #pragma once
 
+#include <cstdint>
+
 #include "harness/interface/grid.hpp"
 #include "impl_cuda_custom/device.cuh"
 

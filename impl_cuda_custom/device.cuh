@@ -2,6 +2,8 @@
 // What kernels of several stages need: loads, atomics, sums over a warp and a block.
 #pragma once
 
+#include <cstdint>
+
 #include "impl_cuda_custom/radix_sort/device_tools.cuh"
 #include "impl_cuda_custom/stages.cuh"
 

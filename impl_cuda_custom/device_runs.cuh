@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 
 #include "harness/interface/backend.hpp"
 #include "impl_cuda_custom/pinned_array.cuh"

@@ -2,6 +2,8 @@
 // Where stage 5 leaves what it finds: in the two lists, or only in the sums.
 #pragma once
 
+#include <cstdint>
+
 #include "harness/interface/faults.hpp"
 #include "harness/interface/flags.hpp"
 #include "impl_cuda_custom/exact.cuh"

@@ -3,6 +3,9 @@
 // for it as they run.
 #pragma once
 
+#include <cstdint>
+#include <type_traits>
+
 #include "harness/interface/pair_test.hpp"
 #include "impl_cuda_custom/device.cuh"
 

@@ -3,6 +3,8 @@
 // as much of the list with one atomic addition and copies. (The threads of impl_cpu do the same.)
 #pragma once
 
+#include <cstdint>
+
 #include "impl_cuda_custom/device.cuh"
 
 namespace octocell::cuda_custom {

@@ -3,6 +3,8 @@
 // branch on the rule, the same for all threads, costs less than a kernel for each rule.
 #pragma once
 
+#include <cstdint>
+
 #include "harness/interface/as_written.hpp"
 #include "impl_cuda_custom/device.cuh"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+
 #include "harness/interface/lattice.hpp"
 #include "impl_cuda_custom/device.cuh"
 

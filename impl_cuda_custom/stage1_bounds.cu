@@ -4,6 +4,8 @@
 // Cost: one pass, 16 bytes a sphere; none for half_shell, whose stage 2 checks on its way.
 // Idea: the plan's facts are limits, so every sphere is held against them by itself; nothing needs
 //       to be reduced, and in the good case nothing is written.
+#include <cstdint>
+
 #include "impl_cuda_custom/coherence/frames.cuh"
 #include "impl_cuda_custom/device.cuh"
 #include "impl_cuda_custom/sphere_facts.cuh"

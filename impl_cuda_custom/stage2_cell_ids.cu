@@ -5,6 +5,8 @@
 // Idea: homes fill [0, n); a block counts its phantoms, claims room for all with one atomic, and
 //       hands the slots of that room to its threads, whoever's phantoms they are: writes lie side
 //       by side, and a sphere that meets many cells holds nobody up.
+#include <cstdint>
+
 #include "harness/interface/as_written.hpp"
 #include "impl_cuda_custom/cell_box.cuh"
 #include "impl_cuda_custom/half_shell/cell_ids.cuh"

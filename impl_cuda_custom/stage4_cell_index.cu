@@ -6,6 +6,8 @@
 // Idea: the sorted ids are the index. Stage 5 streams them anyway and sees where a cell ends; what
 //       it cannot see, that a cell goes on behind the next tile, is written down. A cell's end and
 //       its first phantom are found by doubling and halving steps: no thread walks a cell.
+#include <cstdint>
+
 #include "impl_cuda_custom/device.cuh"
 #include "impl_cuda_custom/half_shell/cell_index.cuh"
 

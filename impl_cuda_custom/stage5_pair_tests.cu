@@ -7,6 +7,8 @@
 //       cell, as far as the end of the next tile: both lie in shared memory, each sphere gathered
 //       once. What lies beyond, in crowded cells, is a second kernel's, tile by tile. Every
 //       candidate belongs to exactly one of the two, however large its cell is.
+#include <cstdint>
+
 #include "impl_cuda_custom/coherence/frames.cuh"
 #include "impl_cuda_custom/half_shell/pair_tests.cuh"
 #include "impl_cuda_custom/pair_sinks.cuh"

@@ -5,6 +5,7 @@
 // Idea: float64 with an error bound, error-free transformations, integers: the first that is
 //       certain answers. A kernel of its own keeps its registers out of stage 5.
 #include <algorithm>
+#include <cstdint>
 
 #include "impl_cuda_custom/exact.cuh"
 #include "impl_cuda_custom/pair_writer.cuh"

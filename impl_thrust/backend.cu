@@ -5,8 +5,10 @@
 #include <thrust/transform_reduce.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
 #include <type_traits>
+#include <vector>
 
 #include "harness/interface/error.hpp"
 #include "impl_thrust/stages.cuh"

@@ -7,6 +7,8 @@
 #include <thrust/transform.h>
 #include <thrust/transform_reduce.h>
 
+#include <cstdint>
+
 #include "impl_thrust/decide.cuh"
 #include "impl_thrust/pair_test.cuh"
 #include "impl_thrust/stages.cuh"

@@ -9,6 +9,8 @@
 #include <thrust/scan.h>
 #include <thrust/transform.h>
 
+#include <cstdint>
+
 #include "harness/interface/as_written.hpp"
 #include "harness/interface/grid.hpp"
 #include "impl_thrust/half_shell/half_shell.cuh"

@@ -6,6 +6,8 @@
 //       Ids of half_shell may come in order (a scene stored row by row): is_sorted proves it.
 #include <thrust/sort.h>
 
+#include <cstdint>
+
 #include "impl_thrust/stages.cuh"
 
 namespace octocell::on_thrust {

@@ -13,6 +13,8 @@
 #include <thrust/scan.h>
 #include <thrust/transform_reduce.h>
 
+#include <cstdint>
+
 #include "harness/interface/faults.hpp"
 #include "impl_thrust/half_shell/half_shell.cuh"
 

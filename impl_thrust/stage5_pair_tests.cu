@@ -7,6 +7,8 @@
 //       and write.
 #include <thrust/sequence.h>
 
+#include <cstdint>
+
 #include "harness/interface/as_written.hpp"
 #include "harness/interface/faults.hpp"
 #include "harness/interface/flags.hpp"

@@ -8,6 +8,8 @@
 #include <thrust/copy.h>
 #include <thrust/count.h>
 
+#include <cstdint>
+
 #include "impl_thrust/decide.cuh"
 #include "impl_thrust/stages.cuh"
 

@@ -4,6 +4,7 @@
 
 #include <thrust/iterator/counting_iterator.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 

@@ -3,6 +3,7 @@
 // written once, for a `System` that has an execution policy, arrays, and a way to read an element.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 

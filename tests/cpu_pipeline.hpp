@@ -2,6 +2,10 @@
 // A workspace of impl_cpu that tests run stage by stage.
 #pragma once
 
+#include <cstdint>
+#include <memory>
+#include <span>
+
 #include "harness/planner/planner.hpp"
 #include "harness/scenes/scenes.hpp"
 #include "impl_cpu/stages.hpp"

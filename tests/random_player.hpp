@@ -12,6 +12,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "harness/interface/error.hpp"
 #include "harness/reference/reference.hpp"

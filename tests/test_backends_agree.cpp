@@ -2,10 +2,20 @@
 // The correctness matrix: every implementation, every scene, the exact pair set.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <limits>
+#include <memory>
 #include <random>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "harness/driver/complete.hpp"
 #include "harness/interface/error.hpp"

@@ -2,9 +2,13 @@
 // Which scenes, frames and rows a preset has.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <cstring>
+#include <regex>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "harness/bench/groups.hpp"
 #include "harness/bench/rows.hpp"

@@ -2,6 +2,16 @@
 // A full buffer is an answer: the size needed. Nothing is clipped, nothing is lost.
 #include <gtest/gtest.h>
 
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "harness/driver/complete.hpp"
 #include "harness/interface/error.hpp"
 #include "harness/reference/reference.hpp"

@@ -5,6 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "harness/planner/skin_width.hpp"
 #include "impl_cpu/backend.hpp"

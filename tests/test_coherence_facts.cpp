@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <memory>
 
 #include "impl_cpu/backend.hpp"
 #include "tests/frame_player.hpp"

@@ -2,6 +2,10 @@
 // Frames in which few have moved: their pairs are found anew, the others' stand.
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <optional>
+#include <string>
+
 #include "impl_cpu/backend.hpp"
 #include "tests/frame_player.hpp"
 

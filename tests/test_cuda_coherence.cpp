@@ -4,6 +4,12 @@
 // says why it was skipped.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+
 #include "impl_cuda_custom/backend.hpp"
 #include "tests/frame_player.hpp"
 #include "tests/random_player.hpp"

@@ -6,7 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "harness/driver/complete.hpp"
 #include "harness/interface/device_memory.hpp"

@@ -2,6 +2,8 @@
 // Precision modes of impl_cuda_custom against the exact pairs and against impl_cpu.
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "harness/driver/complete.hpp"
 #include "harness/reference/reference.hpp"
 #include "harness/registry/registry.hpp"

@@ -2,9 +2,11 @@
 // Depths: values known by hand, and the proved bound against exact arithmetic.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include "harness/interface/depth.hpp"
 #include "harness/reference/reference.hpp"

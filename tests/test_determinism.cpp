@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <optional>
+
 #include "harness/driver/complete.hpp"
 #include "harness/registry/registry.hpp"
 #include "harness/scenes/scenes.hpp"

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "harness/interface/flags.hpp"
 #include "harness/scenes/save.hpp"

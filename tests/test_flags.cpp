@@ -2,7 +2,15 @@
 // Static spheres, groups and masks: the definition, and every implementation held against it.
 #include <gtest/gtest.h>
 
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <random>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "harness/driver/complete.hpp"
 #include "harness/interface/error.hpp"

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <random>
+#include <vector>
 
 #include "harness/driver/complete.hpp"
 #include "harness/reference/reference.hpp"

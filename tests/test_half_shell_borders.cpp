@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <random>
+#include <vector>
 
 #include "harness/planner/planner.hpp"
 #include "impl_cpu/half_shell/borders.hpp"

@@ -3,7 +3,10 @@
 // is right about them.
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <string>
 
 #include "harness/near_ties/near_ties.hpp"
 #include "harness/reference/reference.hpp"

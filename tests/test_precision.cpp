@@ -4,8 +4,14 @@
 
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <random>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "harness/driver/complete.hpp"
 #include "harness/planner/choose_test.hpp"
@@ -51,9 +57,8 @@ Scene near_tangent_pairs() {
     const float r = 1.0F + 0.4F * unit(random);
     const float angle = 3.0F * unit(random);
     const float distance = (s.r + r) * (1.0F + 0x1p-23F * static_cast<float>(k % 9 - 4));
-    scene.spheres.push_back(s);
-    scene.spheres.push_back(
-        {s.x + distance * std::cos(angle), s.y + distance * std::sin(angle), 0.0F, r});
+    const float y = s.y + distance * std::sin(angle);
+    scene.spheres.insert(scene.spheres.end(), {s, {s.x + distance * std::cos(angle), y, 0.0F, r}});
   }
   return scene;
 }
@@ -64,8 +69,8 @@ Scene wide_spans() {
   for (int k = 0; k < 100; ++k) {
     const auto tiny = std::ldexp(1.0F, -40 - k % 20);
     const float y = 4.0F * static_cast<float>(k);
-    scene.spheres.push_back({-1.0F, y, 0.0F, 1.0F});
-    scene.spheres.push_back({tiny, y, 0.0F, std::nextafter(tiny, 0.0F)});
+    scene.spheres.insert(scene.spheres.end(),
+                         {{-1.0F, y, 0.0F, 1.0F}, {tiny, y, 0.0F, std::nextafter(tiny, 0.0F)}});
   }
   return scene;
 }

@@ -2,8 +2,11 @@
 // The three levels against big integers, on families made to break them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <random>
 
 #include "harness/interface/predicate.hpp"

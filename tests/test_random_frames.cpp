@@ -3,6 +3,9 @@
 // OCTOCELL_FRAME_SEQUENCES says how many are played, OCTOCELL_FRAME_SEED from which seed on.
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <cstdint>
+
 #include "impl_cpu/backend.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "tests/random_player.hpp"

@@ -2,8 +2,13 @@
 // The oracle against itself (two methods) and against counts known in closed form.
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <random>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "harness/reference/reference.hpp"
 

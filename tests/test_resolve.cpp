@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
 #include "harness/reference/reference.hpp"
 #include "tests/cpu_pipeline.hpp"
 
@@ -33,9 +38,9 @@ TEST(Resolve, KeepsTheDoubtsThatOverlapAndNoOthers) {
 
 TEST(Resolve, HappensInStageFiveWhereNothingMayBeKept) {
   const Scene scene = generate("lattice:n=1331");  // nothing but doubts
-  auto w = workspace_for(scene.view(), {.threads = 2,
-                                        .count_only = true,
-                                        .allowed = Skips::all().without(Skip::doubts)});
+  auto w = workspace_for(
+      scene.view(),
+      {.threads = 2, .count_only = true, .allowed = Skips::all().without(Skip::doubts)});
   ASSERT_EQ(w->plan.capacity.doubts, 0U);
   bounds(*w);
   cell_ids(*w);

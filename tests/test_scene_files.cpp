@@ -4,9 +4,11 @@
 
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "harness/scenes/validate.hpp"
 #include "tests/scene_folder.hpp"

@@ -5,8 +5,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstring>
+#include <string>
+#include <vector>
 
 #include "harness/scenes/deferred_signals.hpp"
 #include "harness/scenes/save.hpp"

@@ -7,8 +7,12 @@
 #include <cmath>
 #include <cstdint>
 #include <set>
+#include <span>
 #include <string>
+#include <string_view>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "harness/interface/error.hpp"
 #include "harness/interface/predicate.hpp"

@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <random>
+#include <vector>
 
 #include "harness/interface/digit_plan.hpp"
 #include "harness/planner/planner.hpp"

@@ -2,6 +2,7 @@
 // What judges the sorts of bench-sort, and the sorts themselves at awkward sizes.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <numeric>
 #include <string>
 #include <vector>

@@ -5,7 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <span>
+#include <string>
+#include <utility>
 
 #include "harness/reference/reference.hpp"
 #include "harness/registry/registry.hpp"

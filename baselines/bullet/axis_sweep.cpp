@@ -2,6 +2,11 @@
 // Bullet's btAxisSweep3: the ends of all boxes sorted along three axes, in integers of 16 bits.
 #include <fmt/format.h>
 
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+
 #include "baselines/baselines.hpp"
 #include "baselines/bullet/axis_sweep_finder.hpp"
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bullet's bt32BitAxisSweep3: the same sweep in integers of 32 bits.
+#include <memory>
+
 #include "baselines/baselines.hpp"
 #include "baselines/bullet/axis_sweep_finder.hpp"
 

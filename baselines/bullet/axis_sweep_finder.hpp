@@ -4,6 +4,11 @@
 
 #include <BulletCollision/BroadphaseCollision/btAxisSweep3.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <optional>
+
 #include "baselines/bullet/pool_finder.hpp"
 #include "baselines/bullet/world_box.hpp"
 

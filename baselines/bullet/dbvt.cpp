@@ -2,6 +2,11 @@
 // Bullet's btDbvt, the bare tree: no proxies, no margin, no pair cache.
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
 #include "baselines/baseline_finder.hpp"
 #include "baselines/baselines.hpp"
 #include "baselines/bullet/branch_limit.hpp"

@@ -2,8 +2,14 @@
 // Bullet's btDbvtBroadphase: two btDbvt (moving and resting proxies), and a cache of pairs.
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "baselines/baseline_finder.hpp"
 #include "baselines/baselines.hpp"

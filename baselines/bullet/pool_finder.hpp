@@ -2,6 +2,7 @@
 // How Bullet's older broad phases are driven: proxies from a pool of fixed size, pairs in a cache.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <utility>

@@ -2,6 +2,10 @@
 // Bullet's btSimpleBroadphase: every box against every other, at every step.
 #include <BulletCollision/BroadphaseCollision/btSimpleBroadphase.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+
 #include "baselines/baselines.hpp"
 #include "baselines/bullet/pool_finder.hpp"
 

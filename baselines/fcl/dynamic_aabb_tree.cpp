@@ -2,6 +2,8 @@
 // FCL's DynamicAABBTreeCollisionManager: a binary tree of boxes, each node its own allocation.
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 
+#include <memory>
+
 #include "baselines/baselines.hpp"
 #include "baselines/fcl/fcl_tree_finder.hpp"
 

@@ -2,6 +2,8 @@
 // FCL's DynamicAABBTreeCollisionManager_Array: the same tree, its nodes in one array.
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree_array.h>
 
+#include <memory>
+
 #include "baselines/baselines.hpp"
 #include "baselines/fcl/fcl_tree_finder.hpp"
 

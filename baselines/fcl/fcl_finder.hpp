@@ -2,6 +2,7 @@
 // How every collision manager of FCL is driven; they share an interface.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <type_traits>
 

@@ -2,6 +2,8 @@
 // FCL's two dynamic AABB trees. They differ in memory layout, not in interface.
 #pragma once
 
+#include <optional>
+
 #include "baselines/fcl/fcl_finder.hpp"
 
 namespace octocell::baselines {

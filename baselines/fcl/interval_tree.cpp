@@ -3,6 +3,9 @@
 // points with a std::set of open boxes; the trees that it builds beside them serve other queries.
 #include <fcl/broadphase/broadphase_interval_tree.h>
 
+#include <cstdint>
+#include <memory>
+
 #include "baselines/baselines.hpp"
 #include "baselines/fcl/fcl_finder.hpp"
 #include "baselines/fcl/sweep.hpp"

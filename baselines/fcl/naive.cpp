@@ -2,6 +2,9 @@
 // FCL's NaiveCollisionManager: every box against every other.
 #include <fcl/broadphase/broadphase_bruteforce.h>
 
+#include <cstdint>
+#include <memory>
+
 #include "baselines/all_pairs.hpp"
 #include "baselines/baselines.hpp"
 #include "baselines/fcl/fcl_finder.hpp"

@@ -3,6 +3,10 @@
 // of the pairs whose boxes meet.
 #include <fcl/broadphase/broadphase_SaP.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
 #include "baselines/baselines.hpp"
 #include "baselines/fcl/fcl_finder.hpp"
 #include "baselines/fcl/sweep.hpp"

@@ -3,6 +3,13 @@
 #include <fcl/broadphase/broadphase_spatialhash.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
 #include "baselines/baselines.hpp"
 #include "baselines/fcl/fcl_finder.hpp"
 #include "baselines/fcl/hash_bounds.hpp"

@@ -2,6 +2,9 @@
 // FCL's SSaPCollisionManager: boxes sorted by their lower ends, swept along one axis at each query.
 #include <fcl/broadphase/broadphase_SSaP.h>
 
+#include <cstdint>
+#include <memory>
+
 #include "baselines/baselines.hpp"
 #include "baselines/fcl/fcl_finder.hpp"
 #include "baselines/fcl/sweep.hpp"

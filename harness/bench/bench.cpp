@@ -4,9 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
+#include <map>
+#include <memory>
 #include <random>
 #include <regex>
+#include <string_view>
+#include <utility>
 
 #include "harness/bench/interrupts.hpp"
 #include "harness/bench/machine.hpp"
@@ -14,8 +19,6 @@
 #include "harness/bench/progress.hpp"
 #include "harness/bench/results.hpp"
 #include "harness/interface/error.hpp"
-#include "harness/scenes/file_identity.hpp"
-#include "harness/scenes/motion.hpp"
 #include "harness/scenes/scenes.hpp"
 #include "harness/scenes/text.hpp"
 
@@ -138,7 +141,7 @@ class Bench {
         progress_(steps()) {}
 
   int run() {
-    require_inputs_kept();
+    require_inputs_kept(groups(), options_.output);
     results_.make_folder();
     results_.require_writable();
     listen_for_interrupts();
@@ -151,23 +154,6 @@ class Bench {
   }
 
  private:
-  /// Throws InputError if the results would replace a scene, its flags or a frame.
-  void require_inputs_kept() const {
-    std::vector<NamedFile> inputs;
-    const auto add = [&](std::string_view role, const std::string& path) {
-      inputs.push_back({role, path});
-    };
-    for (const auto& [group, rows] : groups_) {
-      if (!group.unavailable.empty()) continue;
-      if (const auto path = file_of(group.argument)) add("a scene", *path);
-      if (group.flags) add("--flags", *group.flags);
-      if (group.trajectory.empty()) continue;
-      for (const std::string& frame : frame_files(group.trajectory)) add("a frame", frame);
-    }
-    const NamedFile output = {"--output", options_.output};
-    require_separate_files(inputs, {&output, 1});
-  }
-
   nlohmann::ordered_json context() const {
     nlohmann::ordered_json context = describe_build_and_machine();
     context["preset"] = options_.scenes.empty() ? options_.preset : "custom";
@@ -176,6 +162,12 @@ class Bench {
     context["candidate_limit"] = candidate_limit(options_);
     context["gpu"] = uses_gpu() ? to_json(describe_gpu()) : nlohmann::ordered_json();
     return context;
+  }
+
+  [[nodiscard]] std::vector<Group> groups() const {
+    std::vector<Group> groups;
+    for (const PlannedGroup& planned : groups_) groups.push_back(planned.group);
+    return groups;
   }
 
   [[nodiscard]] bool uses_gpu() const {

@@ -2,6 +2,12 @@
 #include "harness/bench/dynamic_row.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "harness/bench/google_time.hpp"
 #include "harness/driver/median.hpp"

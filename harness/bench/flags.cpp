@@ -7,7 +7,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <initializer_list>
+#include <string>
 #include <string_view>
+#include <system_error>
+#include <vector>
 
 #include "harness/bench/bench.hpp"
 #include "harness/interface/error.hpp"

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <optional>
+#include <string>
+
 #include "harness/bench/gpu.hpp"
 #include "harness/interface/error.hpp"
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "harness/interface/error.hpp"
+#include "harness/scenes/file_identity.hpp"
 #include "harness/scenes/scenes.hpp"
 #include "harness/scenes/text.hpp"
 
@@ -308,6 +309,21 @@ std::vector<Group> choose_groups(const BenchOptions& options) {
     }
   }
   return groups;
+}
+
+void require_inputs_kept(const std::vector<Group>& groups, const std::string& output) {
+  std::vector<NamedFile> inputs;
+  for (const Group& group : groups) {
+    if (!group.unavailable.empty()) continue;
+    if (auto path = file_of(group.argument)) inputs.push_back({"a scene", std::move(*path)});
+    if (group.flags) inputs.push_back({"--flags", *group.flags});
+    if (group.trajectory.empty()) continue;
+    for (std::string& frame : frame_files(group.trajectory)) {
+      inputs.push_back({"a frame", std::move(frame)});
+    }
+  }
+  const NamedFile results = {"--output", output};
+  require_separate_files(inputs, {&results, 1});
 }
 
 std::uint64_t candidate_limit(const BenchOptions& options) {

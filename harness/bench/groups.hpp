@@ -64,6 +64,9 @@ Footage footage_of(const Group& group);
 /// unavailable.
 std::vector<Group> choose_groups(const BenchOptions& options);
 
+/// Throws InputError if the results would take the place of a scene, its flags or a frame.
+void require_inputs_kept(const std::vector<Group>& groups, const std::string& output);
+
 /// More candidate pairs than this, counted beforehand, and a row is skipped with their number.
 std::uint64_t candidate_limit(const BenchOptions& options);
 

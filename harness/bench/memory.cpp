@@ -11,7 +11,10 @@
 #include <array>
 #include <cstdio>
 #include <fstream>
+#include <iterator>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "harness/bench/bench.hpp"
 #include "harness/driver/complete.hpp"

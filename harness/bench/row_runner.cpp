@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "harness/bench/dynamic_row.hpp"
 #include "harness/bench/static_row.hpp"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "harness/bench/row_runner.hpp"
 
 namespace octocell::bench {

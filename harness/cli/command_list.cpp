@@ -2,6 +2,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <optional>
+#include <span>
+#include <string>
+
 #include "harness/cli/commands.hpp"
 #include "harness/registry/registry.hpp"
 #include "harness/scenes/scenes.hpp"

@@ -3,6 +3,7 @@
 // million, against integers.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 

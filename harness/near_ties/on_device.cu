@@ -3,6 +3,9 @@
 
 #ifdef __CUDACC__
 
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "harness/interface/cuda.cuh"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cstdint>
 #include <system_error>
 #include <thread>
 #include <vector>

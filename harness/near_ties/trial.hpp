@@ -2,6 +2,8 @@
 // One pair: how near a tie is it, and are all levels of the predicate right about it?
 #pragma once
 
+#include <cstdint>
+
 #include "harness/interface/predicate.hpp"
 #include "harness/near_ties/column_oracle.hpp"
 #include "harness/near_ties/families.hpp"

@@ -3,6 +3,7 @@
 // spheres share one, all pairs tested. Any size is correct for rule lowest_cell, so cost decides.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "harness/interface/digit_plan.hpp"
 #include "harness/planner/cell_counter.hpp"

@@ -2,6 +2,7 @@
 // How close the spheres of a level would be to each other, as its sample says.
 #pragma once
 
+#include <cstdint>
 #include <utility>
 #include <vector>
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "harness/interface/digit_plan.hpp"
 #include "harness/interface/error.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "harness/interface/faults.hpp"
 #include "harness/planner/planner.hpp"

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "harness/interface/error.hpp"
 #include "harness/planner/choose_cells.hpp"

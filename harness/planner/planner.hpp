@@ -2,6 +2,7 @@
 // From what is known of a scene to what to do with it. Pure host code that knows no backend.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 

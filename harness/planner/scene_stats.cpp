@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
+#include <span>
+#include <string>
 
 #include "harness/interface/error.hpp"
 #include "harness/interface/faults.hpp"

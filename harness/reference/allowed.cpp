@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The word of Flags, taken apart by its definition: division, and one group after another.
+#include <cstdint>
+
 #include "harness/reference/reference.hpp"
 
 namespace octocell::reference {

@@ -4,7 +4,11 @@
 // fl(p - r) <= fl(q + s).
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "harness/memory/available.hpp"
 #include "harness/reference/reference.hpp"

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "harness/reference/reference.hpp"
 
 namespace octocell::reference {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
 
 #include "harness/reference/reference.hpp"
 

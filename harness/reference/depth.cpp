@@ -3,7 +3,10 @@
 // than the unit 2^-149, and it is known whether anything was cut off.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "harness/reference/big_numbers.hpp"
 #include "harness/reference/reference.hpp"

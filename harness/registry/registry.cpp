@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "baselines/baselines.hpp"
 #include "harness/interface/error.hpp"

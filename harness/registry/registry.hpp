@@ -2,6 +2,7 @@
 // The one list of everything that can answer: our backends and the baselines.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Spheres in a row along x; with the preset spacing each touches the next exactly: n - 1 pairs.
+#include <cstddef>
+#include <vector>
+
 #include "harness/scenes/families.hpp"
 
 namespace octocell::families {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Most spheres in bell-shaped clouds around a few centres, the rest spread over the box: cells
 // hold very different numbers of spheres.
+#include <cmath>
+#include <numbers>
+#include <vector>
+
 #include "harness/scenes/families.hpp"
 
 namespace octocell::families {

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A flat scene (z = 0) with radii that follow a power law: many small, few large.
+#include <cmath>
+#include <numbers>
+#include <vector>
+
 #include "harness/scenes/families.hpp"
 
 namespace octocell::families {

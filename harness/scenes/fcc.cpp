@@ -3,6 +3,8 @@
 // others. Coordinates are multiples of spacing / sqrt 2, so every contact is off by a rounding,
 // either way: here float32 errs.
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "harness/scenes/families.hpp"
 

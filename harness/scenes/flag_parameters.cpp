@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "harness/scenes/flag_parameters.hpp"
 
+#include <cstdint>
+#include <span>
+
 #include "harness/interface/pair.hpp"
 
 namespace octocell {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Equal spheres, placed uniformly and without regard to one another. The box is centred on the
 // origin, so coordinates have both signs.
+#include <vector>
+
 #include "harness/scenes/families.hpp"
 
 namespace octocell::families {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A gas, one sphere of which is huge and sits in the middle of the box: cells made to its measure
 // would hold most of the others.
+#include <vector>
+
 #include "harness/scenes/families.hpp"
 
 namespace octocell::families {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The same sphere n times: one cell holds everything, and all n (n - 1) / 2 pairs overlap.
+#include <vector>
+
 #include "harness/scenes/families.hpp"
 
 namespace octocell::families {

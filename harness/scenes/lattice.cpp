@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A cubic lattice of spheres that touch their neighbours exactly, if the spacing is a short
 // binary number such as 1 or 0.25. With 0.1 the contacts are off by a rounding, either way.
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "harness/scenes/families.hpp"
 

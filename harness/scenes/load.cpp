@@ -6,6 +6,9 @@
 #include <iterator>
 #include <new>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "harness/interface/error.hpp"

@@ -8,8 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
+#include <system_error>
 
 #include "harness/memory/available.hpp"
 #include "harness/scenes/line_reader.hpp"

@@ -3,6 +3,11 @@
 // are static (bool, or uint8 of 0 and 1).
 #include <fmt/format.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
 #include "harness/scenes/load_formats.hpp"
 #include "harness/scenes/npy_header.hpp"
 #include "harness/scenes/text.hpp"

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <span>
+#include <string_view>
+#include <vector>
 
 #include "harness/scenes/load_formats.hpp"
 #include "harness/scenes/npy_header.hpp"

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <span>
 #include <system_error>
 
 #include "harness/interface/error.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <span>
+#include <system_error>
 
 #include "harness/scenes/text.hpp"
 

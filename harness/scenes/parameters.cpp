@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <system_error>
 
 #include "harness/interface/error.hpp"
 #include "harness/scenes/text.hpp"

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A. Ties and rounding: spheres that touch exactly, or are an ulp from it.
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "harness/stress/make.hpp"
 

@@ -1,5 +1,14 @@
 // SPDX-License-Identifier: MIT
 // B. Borders of cells: coordinates on them, boxes that end on them, numbers of cells at a limit.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "harness/stress/make.hpp"
 
 namespace octocell::stress {

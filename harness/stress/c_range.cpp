@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
 // C. The range of float32: far offsets, the greatest and the smallest numbers, and none at all.
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "harness/stress/make.hpp"
 

@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: MIT
 // D. Distributions of size: giants among dust, and everything in between.
+#include <cstddef>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "harness/stress/make.hpp"
 
 namespace octocell::stress {

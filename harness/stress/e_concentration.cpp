@@ -1,5 +1,13 @@
 // SPDX-License-Identifier: MIT
 // E. Concentration: many spheres in one place, in a row, on a surface, in little of the box.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "harness/stress/make.hpp"
 
 namespace octocell::stress {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "harness/driver/complete.hpp"
 #include "harness/stress/catalogue.hpp"

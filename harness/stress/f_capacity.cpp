@@ -1,5 +1,14 @@
 // SPDX-License-Identifier: MIT
 // F. Capacity: buffers, sizes around powers of two, counts and keys that outgrow 32 bits.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "harness/stress/make.hpp"
 
 namespace octocell::stress {

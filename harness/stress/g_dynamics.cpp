@@ -1,5 +1,13 @@
 // SPDX-License-Identifier: MIT
 // G. Dynamics and state: what moved, what did not, and what was there before.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "harness/stress/make.hpp"
 
 namespace octocell::stress {

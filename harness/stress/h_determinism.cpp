@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // H. Determinism: runs, threads, devices, compilers.
+#include <cstddef>
+#include <span>
+#include <vector>
+
 #include "harness/stress/make.hpp"
 
 namespace octocell::stress {

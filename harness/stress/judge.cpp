@@ -4,7 +4,12 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <cstdint>
 #include <functional>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "harness/driver/complete.hpp"
 #include "harness/driver/isolate.hpp"

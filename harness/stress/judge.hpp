@@ -2,8 +2,13 @@
 // One implementation on one case.
 #pragma once
 
+#include <array>
 #include <chrono>
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "harness/reference/reference.hpp"
 #include "harness/registry/registry.hpp"

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: MIT
 // M. Metamorphic relations that are exact in floating point: a scene changed so that its pairs are
 // known from those of the first. The oracle decides once, about the first.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <numeric>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "harness/reference/reference.hpp"
 #include "harness/stress/make.hpp"

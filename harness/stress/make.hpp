@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "harness/interface/predicate.hpp"
 #include "harness/scenes/portable_math.hpp"

@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "harness/stress/run.hpp"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace octocell::stress {
 namespace {

@@ -4,6 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
 #include "harness/stress/judge.hpp"
 
 namespace octocell::stress {

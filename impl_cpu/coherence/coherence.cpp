@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "impl_cpu/coherence/coherence.hpp"
 
+#include <cstdint>
+#include <optional>
+
 namespace octocell::cpu::coherence {
 namespace {
 

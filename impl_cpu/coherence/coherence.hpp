@@ -2,6 +2,9 @@
 // What one frame may take over from the last (docs/decisions/0016-frame-coherence.md).
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "harness/interface/stage.hpp"
 #include "harness/planner/skin_width.hpp"
 #include "impl_cpu/coherence/kept_copy.hpp"

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstring>
+#include <span>
 
 #include "harness/interface/same_bits.hpp"
 #include "impl_cpu/block_size.hpp"

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "harness/interface/sphere.hpp"
 #include "impl_cpu/shared_list.hpp"
 #include "impl_cpu/threads.hpp"

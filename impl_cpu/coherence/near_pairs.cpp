@@ -2,11 +2,14 @@
 #include "impl_cpu/coherence/near_pairs.hpp"
 #include "harness/interface/faults.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
+#include <span>
 
 #include "harness/interface/flags.hpp"
 #include "harness/interface/same_bits.hpp"

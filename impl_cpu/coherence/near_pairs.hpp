@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "impl_cpu/stages.hpp"
 
 namespace octocell::cpu::coherence {

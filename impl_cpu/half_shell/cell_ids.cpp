@@ -6,7 +6,10 @@
 //       know: no phantoms, an eighth to a half of the ids of home_phantom.
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <numeric>
+#include <span>
 
 #include "harness/interface/faults.hpp"
 #include "harness/interface/simd.hpp"

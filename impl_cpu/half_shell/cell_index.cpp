@@ -6,6 +6,7 @@
 // Idea: stage 5 then streams. A row ends where an id leaves its columns, so most spheres cost one
 //       comparison; a division finds the columns of the next row.
 #include <algorithm>
+#include <cstdint>
 
 #include "harness/interface/faults.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"

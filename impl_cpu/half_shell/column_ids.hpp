@@ -2,6 +2,8 @@
 // Sorted ids of columns, a vector of them at a time.
 #pragma once
 
+#include <cstdint>
+
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/lanes.hpp"
 

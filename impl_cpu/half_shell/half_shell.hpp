@@ -2,6 +2,8 @@
 // Method half_shell, where it differs: one id a sphere, spheres gathered once, rows swept.
 #pragma once
 
+#include <cstdint>
+
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/stages.hpp"
 

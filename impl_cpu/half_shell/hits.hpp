@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/column_ids.hpp"
 #include "impl_cpu/half_shell/ordered_spheres.hpp"

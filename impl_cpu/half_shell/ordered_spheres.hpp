@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 
 #include "harness/interface/buffer.hpp"
 #include "harness/interface/plan.hpp"

@@ -7,6 +7,7 @@
 //       tested across it. Spheres that follow each other lie in the lanes; those that may be near
 //       one of them come one after the other, and no branch depends on where they lie.
 #include <atomic>
+#include <cstdint>
 
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 
 #include "impl_cpu/half_shell/ordered_spheres.hpp"
 

@@ -3,6 +3,7 @@
 // for. What a frame does is decided on the device (docs/decisions/0020-frame-coherence-gpu.md).
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 

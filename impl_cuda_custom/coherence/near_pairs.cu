@@ -3,6 +3,9 @@
 // of a large device, so spheres are read where they are.
 #include "impl_cuda_custom/coherence/near_pairs.cuh"
 
+#include <algorithm>
+#include <cstdint>
+
 #include "impl_cuda_custom/coherence/frames.cuh"
 
 namespace octocell::cuda_custom::coherence {

@@ -2,6 +2,9 @@
 // The first kernel of a frame: what may be taken over from the last? Every sphere is held against
 // the copy, or against where it was in the last search, as long as that may still prove something;
 // the block that ends last decides. With nothing to prove no sphere is read.
+#include <algorithm>
+#include <cstdint>
+
 #include "harness/interface/pair.hpp"
 #include "impl_cuda_custom/coherence/frames.cuh"
 #include "impl_cuda_custom/device.cuh"

@@ -3,6 +3,8 @@
 // cells, once, so that stage 5 reads them side by side; pairs to look at are counted on the way.
 #pragma once
 
+#include <cstdint>
+
 #include "impl_cuda_custom/half_shell/neighbours.cuh"
 #include "impl_cuda_custom/pair_test.cuh"
 

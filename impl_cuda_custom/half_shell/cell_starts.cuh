@@ -3,6 +3,8 @@
 // 2^shift ids where ids are many; from there it is a short search.
 #pragma once
 
+#include <cstdint>
+
 #include "impl_cuda_custom/device.cuh"
 
 namespace octocell::cuda_custom::half_shell {

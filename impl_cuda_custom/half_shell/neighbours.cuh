@@ -8,6 +8,8 @@
 //   lies.
 #pragma once
 
+#include <cstdint>
+
 #include "harness/interface/faults.hpp"
 #include "impl_cuda_custom/half_shell/cell_starts.cuh"
 

@@ -4,6 +4,8 @@
 // cache holds for the others.
 #include "impl_cuda_custom/half_shell/pair_tests.cuh"
 
+#include <cstdint>
+
 #include "harness/interface/faults.hpp"
 #include "impl_cuda_custom/coherence/near_pairs.cuh"
 #include "impl_cuda_custom/half_shell/neighbours.cuh"

@@ -4,6 +4,8 @@
 // Why it works: a stable split by each bit in turn, the lowest first, sorts (Blelloch 1990); where
 //   an item goes follows from how many ones stand before it, which is a prefix sum of the flags.
 // Measured: the ladder in the report of `octocell bench-sort`, algorithm cuda_one_bit_split.
+#include <cstdint>
+
 #include "impl_cuda_custom/radix_sort/digit_table.cuh"
 
 namespace octocell::cuda_custom::one_bit_split {

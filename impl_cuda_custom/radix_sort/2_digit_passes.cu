@@ -6,6 +6,8 @@
 // What holds it back: for the order of equal digits to last, a group's threads take turns at their
 //   counters, 32 steps for 32 items; and neighbours in the input are written far apart.
 // Measured: the ladder in the report of `octocell bench-sort`, algorithm cuda_digit_passes.
+#include <cstdint>
+
 #include "impl_cuda_custom/radix_sort/digit_table.cuh"
 
 namespace octocell::cuda_custom::digit_passes {

@@ -7,6 +7,8 @@
 //   by match as in multisplit, Ashkiani et al. 2016.)
 // What holds it back: every pass reads the keys twice, once to count and once to move.
 // Measured: the ladder in the report of `octocell bench-sort`, algorithm cuda_reduce_then_scan.
+#include <cstdint>
+
 #include "impl_cuda_custom/radix_sort/digit_table.cuh"
 
 namespace octocell::cuda_custom::reduce_then_scan {

@@ -10,6 +10,8 @@
 //   twice as long in memory, and half as many.
 // Measured: the ladder in the report of `octocell bench-sort`, algorithm cuda_onesweep.
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 
 #include "harness/interface/cuda.cuh"
 #include "harness/interface/faults.hpp"

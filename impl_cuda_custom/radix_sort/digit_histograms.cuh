@@ -6,6 +6,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 
 #include "harness/interface/cuda.cuh"
 #include "impl_cuda_custom/radix_sort/device_tools.cuh"

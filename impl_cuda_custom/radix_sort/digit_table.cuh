@@ -3,6 +3,9 @@
 // A row for each digit, a column for each part; summing up turns counts into places.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "harness/interface/cuda.cuh"
 #include "impl_cuda_custom/radix_sort/device_tools.cuh"
 #include "impl_cuda_custom/radix_sort/rungs.cuh"

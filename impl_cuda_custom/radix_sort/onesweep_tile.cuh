@@ -5,6 +5,9 @@
 
 #include <cuda_pipeline.h>
 
+#include <cstddef>
+#include <cstdint>
+
 #include "impl_cuda_custom/radix_sort/device_tools.cuh"
 #include "impl_cuda_custom/radix_sort/look_back.cuh"
 #include "impl_cuda_custom/radix_sort/peers.cuh"

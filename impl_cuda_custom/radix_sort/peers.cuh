@@ -2,6 +2,8 @@
 // Which lanes of a warp hold the same digit.
 #pragma once
 
+#include <cstdint>
+
 #include "impl_cuda_custom/radix_sort/device_tools.cuh"
 
 namespace octocell::cuda_custom {

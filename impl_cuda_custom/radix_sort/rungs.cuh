@@ -2,6 +2,8 @@
 // What each rung's file offers to radix_sort.cu.
 #pragma once
 
+#include <cstdint>
+
 #include "impl_cuda_custom/radix_sort/radix_sort.cuh"
 
 namespace octocell::cuda_custom {

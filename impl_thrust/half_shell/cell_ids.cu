@@ -7,6 +7,8 @@
 #include <thrust/sequence.h>
 #include <thrust/transform.h>
 
+#include <cstdint>
+
 #include "impl_thrust/half_shell/half_shell.cuh"
 
 namespace octocell::on_thrust::half_shell {

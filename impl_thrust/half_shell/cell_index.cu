@@ -11,6 +11,8 @@
 #include <thrust/transform.h>
 #include <thrust/transform_reduce.h>
 
+#include <cstdint>
+
 #include "impl_thrust/gather.cuh"
 #include "impl_thrust/half_shell/shell.cuh"
 

@@ -2,6 +2,8 @@
 // Method half_shell, where it differs: one id a sphere, and partners looked for in adjacent cells.
 #pragma once
 
+#include <cstdint>
+
 #include "impl_thrust/stages.cuh"
 
 namespace octocell::on_thrust::half_shell {

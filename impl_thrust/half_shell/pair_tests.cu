@@ -4,6 +4,8 @@
 // Cost: each candidate is looked at twice where its sphere finds something; five rows are searched
 //       for a sphere, and nine for each coarser level.
 // Idea: count, scan, write, one work item a sphere. Shell says which runs it meets.
+#include <cstdint>
+
 #include "harness/interface/flags.hpp"
 #include "impl_thrust/found_pairs.cuh"
 #include "impl_thrust/half_shell/shell.cuh"

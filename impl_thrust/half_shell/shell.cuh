@@ -8,6 +8,8 @@
 // work would be one work item's.
 #pragma once
 
+#include <cstdint>
+
 #include "harness/interface/faults.hpp"
 #include "impl_thrust/half_shell/half_shell.cuh"
 

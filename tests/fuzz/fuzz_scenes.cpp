@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Every backend of the host, method and correct rule against the oracle, on whatever scene.
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
+#include <vector>
 
 #include "harness/driver/complete.hpp"
 #include "harness/interface/error.hpp"

@@ -4,6 +4,12 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "harness/driver/complete.hpp"
 #include "harness/interface/error.hpp"

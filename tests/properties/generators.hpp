@@ -10,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <ios>
 #include <ostream>
 
 #include "harness/interface/predicate.hpp"

@@ -2,6 +2,14 @@
 // The grid's claims (docs/exactness.md) for any box of centres, any cell side and any coordinate.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <ios>
+#include <ostream>
+
 // needs the above
 #include <rapidcheck/gtest.h>
 
@@ -133,7 +141,8 @@ RC_GTEST_PROP(GridProperties, UnitsAreDividedExactly, ()) {
   const Grid grid = (*any_setting()).grid();
   const auto unit = *whole_range<std::uint64_t>(0, std::uint64_t{1} << 30);
   for (const std::uint64_t u : {unit, unit / grid.width[0].units * grid.width[0].units}) {
-    RC_ASSERT(u * grid.width[0].reciprocal >> grid.width[0].reciprocal_bits == u / grid.width[0].units);
+    RC_ASSERT(u * grid.width[0].reciprocal >> grid.width[0].reciprocal_bits ==
+              u / grid.width[0].units);
   }
 }
 

@@ -4,6 +4,9 @@
 // is kept if it brings a wrong verdict nearer.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
+
 // needs the above
 #include <rapidcheck/gtest.h>
 

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "harness/bench/gpu.hpp"
 #include "harness/bench/sort/gpu_sorts.hpp"
 #include "harness/interface/error.hpp"

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <hwy/contrib/sort/vqsort.h>
 
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "harness/bench/sort/optional_sorts.hpp"
 #include "harness/bench/sort/packed_sorter.hpp"
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <optional>
+#include <string>
+
 #include "harness/bench/sort/optional_sorts.hpp"
 
 namespace octocell::bench {

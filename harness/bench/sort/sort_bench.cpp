@@ -7,6 +7,9 @@
 #include <chrono>
 #include <random>
 #include <regex>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "harness/bench/gpu.hpp"
 #include "harness/bench/interrupts.hpp"

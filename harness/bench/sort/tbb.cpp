@@ -7,7 +7,10 @@
 #include <tbb/task_arena.h>
 #include <tbb/version.h>
 
+#include <cstddef>
+#include <memory>
 #include <optional>
+#include <string>
 
 #include "harness/bench/sort/optional_sorts.hpp"
 #include "harness/bench/sort/packed_sorter.hpp"
