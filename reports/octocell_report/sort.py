@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import pandas as pd
 
+from octocell_report.context import gpu_of
 from octocell_report.fields import (
     Fields,
     Json,
@@ -19,7 +20,6 @@ from octocell_report.fields import (
     is_filled,
     is_list,
     is_object,
-    is_positive,
     is_text,
     is_times,
     is_whole,
@@ -120,10 +120,7 @@ def parse(document: Any) -> SortResult:
     machine.take("cpu", is_text)
     machine.take("cores", is_whole)
     rows = [_row(item, i) for i, item in enumerate(result.take("rows", is_list))]
-    if any(row.device == "gpu" for row in rows):
-        gpu = Fields(context.take("gpu", is_object), "context.gpu")
-        gpu.take("name", is_text)
-        gpu.take("copy_gigabytes_per_second", is_positive)
+    gpu_of(context.value)
     for name, times in Counter(row.name for row in rows).items():
         if times > 1:
             raise ReportError(f"{times} rows are called {name}")

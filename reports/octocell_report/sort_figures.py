@@ -15,6 +15,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
 
 from octocell_report import frames, style, words
+from octocell_report.context import gpu_of
 from octocell_report.files import staged_folder
 from octocell_report.sort import ORDERS, TITLES, Sort, SortResult, SortRow, frame
 
@@ -320,10 +321,10 @@ def _footnote(result: SortResult) -> str:
 def _conditions(result: SortResult) -> tuple[str, str]:
     """On what it was measured, and what is to be known of the times."""
     if all(row.device == "gpu" for row in result.rows):
-        gpu = result.context["gpu"]
-        copied = gpu["copy_gigabytes_per_second"]
+        gpu = gpu_of(result.context)
+        copied = f", copies {words.grouped(gpu.copy_gbps)} GB/s (read and written)" if gpu else ""
         return (
-            f"{gpu['name']}, copies {words.grouped(copied)} GB/s (read and written)",
+            f"{gpu.name if gpu else 'a GPU that is not named'}{copied}",
             "time on the device, between two events; input restored and answers checked outside; "
             "CUB is told the number of pairs, ours read it on the device",
         )
