@@ -24,7 +24,7 @@ CUDA_IF_GPU = $(if $(wildcard /dev/nvidiactl)$(filter ON,$(OCTOCELL_CUDA)),$(OCT
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build test compilers fuzz mutants stress stress-full bench bench-full bench-sort ablation error report readme sanitize cuda-toolkit bundle clean
+.PHONY: help setup configure build build-tests test compilers fuzz mutants stress stress-full bench bench-full bench-sort ablation error report readme sanitize cuda-toolkit bundle clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -32,11 +32,16 @@ help: ## Show this list
 setup: ## Install what is missing: compilers, libraries, a Python environment, real scenes
 	@scripts/setup.sh
 
-build: setup ## Build build/octocell and the tests, no more
+configure: setup
 	@cmake --preset $(PRESET) -B $(BUILD) -DOCTOCELL_WERROR=$(WERROR) -DOCTOCELL_CUDA=$(OCTOCELL_CUDA) >/dev/null
+
+build: configure ## Build build/octocell, no more
+	@cmake --build $(BUILD) --target octocell
+
+build-tests: configure ## Build the tests, too
 	@cmake --build $(BUILD)
 
-test: build ## Run all tests
+test: build-tests ## Run all tests
 	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j "$$(nproc)"
 	@for page in $(PAGES); do $(PYTHON) -m octocell_report readme $(PUBLISHED) $$page --check || exit 1; done
 	@$(PYTHON) -m octocell_report promise docs/promise.md --check
@@ -46,7 +51,7 @@ stress: build ## Every implementation on the scenes of the stress catalogue (min
 	@OMP_WAIT_POLICY=passive $(BUILD)/octocell stress -o reports/out/stress.json
 	@$(MAKE) --no-print-directory compilers
 
-stress-full: build ## The same on large scenes (hours), with many more random frames and property cases
+stress-full: build-tests ## The same on large scenes (hours), with many more random frames and property cases
 	@OMP_WAIT_POLICY=passive $(BUILD)/octocell stress --size full --timeout 120 -o reports/out/stress.json
 	@for test in test_random_frames test_random_frames_small test_cuda_coherence; do \
 	  OCTOCELL_FRAME_SEQUENCES=$(FRAME_SEQUENCES) $(BUILD)/tests/$$test --gtest_filter='*Random*' || exit 1; \
