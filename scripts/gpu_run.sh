@@ -36,9 +36,19 @@ tests() {
   quietly buffers "$here/tests/test_buffers" --gtest_brief=1 --gtest_filter='*cuda*'
 }
 
+# Scenes on which a plain grid holds nearly all spheres in one cell.
+hard_scenes() {
+  "$octocell" generate gas:n=50000 -o "$OUT/far.csv" >/dev/null
+  printf '%s\n' 3e38,1,1,0.5 -3e38,2e38,0,0.5 1e10,-1e20,5,0.5 1e10,-1e20,5,0.5 7,-1e30,7,9 >>"$OUT/far.csv"
+  awk 'BEGIN { srand(1); print "x,y,z,r"; for (k = 0; k < 50000; ++k) print rand() "," rand() "," rand() ",0"
+               print "0.5,0.5,0.5,0.1"; print "0.5,0.5,0.5,0" }' >"$OUT/points.csv"
+}
+
 check() {
+  hard_scenes
   for backend in impl_cuda_custom impl_thrust_cuda; do
     quietly "check_$backend" "$octocell" check --backend "$backend"
+    quietly "check_hard_$backend" "$octocell" check --backend "$backend" "$OUT/far.csv" "$OUT/points.csv"
     quietly "check_large_$backend" "$octocell" check --backend "$backend" gas:n=1e6 dense:n=3e5 poly:n=1e6 \
       cluster:n=1e6 lattice:n=1e6,shuffle=1 shifted:n=1e6 giant:n=3e5 discs:n=3e5 identical:n=5e3 chain:n=1e6
   done
