@@ -9,9 +9,6 @@ out=reports/out/published
 planned='backend:impl_cpu/method:planned/.*threads:1'
 million=n=1000000
 
-# A calibration of this user's would change the plans.
-export OCTOCELL_CALIBRATION=
-
 bench() {  # NAME OPTION...
   echo "== $1" >&2
   build/octocell bench -o "$out/$1.json" "${@:2}"

@@ -14,8 +14,6 @@ from program import ROOT, Octocell, Refused
 
 # Tests share the cores; a thread of OpenMP's that waits must not spin.
 os.environ.setdefault("OMP_WAIT_POLICY", "passive")
-# Plans are those of the costs as fitted, whatever was measured on this machine.
-os.environ["OCTOCELL_CALIBRATION"] = ""
 
 
 @pytest.fixture(scope="session")

@@ -1,16 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""`octocell explain` and `calibrate`; --no-skip and --force."""
+"""`octocell explain`; --no-skip and --force."""
 
 from __future__ import annotations
 
 import json
-import os
 import re
-from pathlib import Path
 
 import pytest
 
-from program import ROOT, Json, Octocell, Refused, load
+from program import ROOT, Json, Octocell, Refused
 
 SKIPS = re.findall(
     r'^    \{"(\w+)",', (ROOT / "harness/interface/skips.hpp").read_text(), re.MULTILINE
@@ -148,23 +146,3 @@ def test_forced_and_forbidden_is_refused(refused: Refused) -> None:
 def test_baselines_have_no_plan_of_ours(refused: Refused) -> None:
     assert "baseline" in refused("explain", "gas:n=60", "--backend", "bullet_dbvt")
     assert "baseline" in refused("find", "gas:n=60", "--backend", "fcl_sap", "--no-skip", "sort")
-
-
-def test_calibration_is_stored_and_changes_no_answer(octocell: Octocell, tmp_path: Path) -> None:
-    path = tmp_path / "new" / "calibration.json"
-    environment = {**os.environ, "OCTOCELL_CALIBRATION": str(path)}
-    text = octocell.ok("calibrate", env=environment, timeout=200).stdout
-    assert str(path) in text
-    stored = load(path)
-    assert "impl_cpu" in stored["backends"]
-    assert all(0 < f < 1000 for factors in stored["backends"].values() for f in factors.values())
-    found = octocell.ok("find", "gas:n=3000", "--json", env=environment).stdout
-    assert json.loads(found)["checksum"] == octocell.find("gas:n=3000")["checksum"]
-
-
-def test_a_broken_calibration_is_named(refused: Refused, tmp_path: Path) -> None:
-    path = tmp_path / "calibration.json"
-    path.write_text('{"processor": 3')
-    environment = {**os.environ, "OCTOCELL_CALIBRATION": str(path)}
-    line = refused("find", "gas:n=60", env=environment)
-    assert str(path) in line and "calibrate" in line

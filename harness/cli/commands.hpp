@@ -14,7 +14,6 @@ using Command = std::function<int()>;
 void add_list(CLI::App& app, Command& command);
 void add_find(CLI::App& app, Command& command);
 void add_explain(CLI::App& app, Command& command);
-void add_calibrate(CLI::App& app, Command& command);
 void add_check(CLI::App& app, Command& command);
 void add_generate(CLI::App& app, Command& command);
 void add_bench(CLI::App& app, Command& command);

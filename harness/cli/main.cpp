@@ -51,7 +51,6 @@ int parse_and_run(int argc, char** argv) {
   cli::add_list(app, command);
   cli::add_find(app, command);
   cli::add_explain(app, command);
-  cli::add_calibrate(app, command);
   cli::add_check(app, command);
   cli::add_generate(app, command);
   cli::add_bench(app, command);

@@ -6,11 +6,9 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 
 #include "baselines/baselines.hpp"
 #include "harness/interface/error.hpp"
-#include "harness/registry/calibration.hpp"
 #include "impl_cpu/backend.hpp"
 #include "impl_cuda_custom/backend.hpp"
 #include "impl_thrust/backend.hpp"
@@ -58,6 +56,28 @@ constexpr Costs kThrustCosts = {.per_id = 53.0,
                                           .near_borders = false,
                                           .most_columns = 8}};
 
+/// How many times longer the work of each method takes.
+struct Factors {
+  double home_phantom;
+  double half_shell;
+  double brute_force;
+};
+constexpr Costs times(Costs costs, const Factors& factors) {
+  costs.per_id *= factors.home_phantom;
+  costs.per_id_and_pass *= factors.home_phantom;
+  costs.per_candidate *= factors.home_phantom;
+  costs.per_id_of_one *= factors.home_phantom;
+  costs.per_run *= factors.home_phantom;
+  costs.per_pair *= factors.brute_force;
+  costs.per_row *= factors.brute_force;
+  ShellCosts& shell = costs.shell;
+  for (double* cost : {&shell.per_sphere, &shell.per_row, &shell.per_window, &shell.per_candidate,
+                       &shell.per_probe, &shell.per_id, &shell.per_pass, &shell.per_wrapped}) {
+    *cost *= factors.half_shell;
+  }
+  return costs;
+}
+
 /// Thrust's kernels take longer than ours, most of all those that search for rows: on the same
 /// machine, a hundred to a million spheres. Its sort takes four passes there, too; it allocates,
 /// and waits, which brute_force does not; and all cells that a sphere meets are one thread's work.
@@ -67,7 +87,7 @@ constexpr Costs with_kernels_of_thrust(Costs costs) {
   costs.per_id += kPasses * costs.per_id_and_pass;
   costs.shell.per_sphere += kPasses * costs.shell.per_pass;
   costs.per_id_and_pass = costs.shell.per_pass = 0.0;
-  costs = calibrated(costs, {.home_phantom = 1.56, .half_shell = 3.6, .brute_force = 0.35});
+  costs = times(costs, {.home_phantom = 1.56, .half_shell = 3.6, .brute_force = 0.35});
   costs.per_id_of_one = 100.0;
   costs.per_grid = 150e3;
   costs.per_run = -20e3;  // it looks for no rows
@@ -190,13 +210,6 @@ constexpr std::array kBackends = {
              baselines::make_bullet_simple),
 };
 
-/// As `octocell calibrate` measured them, or as they were fitted.
-Costs costs_here(const BackendInfo& backend) {
-  static const std::map<std::string, Calibration> stored = stored_calibrations();
-  const auto found = stored.find(std::string(backend.name));
-  return found == stored.end() ? backend.costs : calibrated(backend.costs, found->second);
-}
-
 }  // namespace
 
 std::span<const BackendInfo> backends() { return kBackends; }
@@ -217,7 +230,7 @@ PlanOptions Implementation::plan_options(int threads) const {
           .known = backend->skips,
           .allowed = backend->skips,
           .buffers_only = is_baseline(),
-          .costs = costs_here(*backend)};
+          .costs = backend->costs};
 }
 
 std::string Implementation::label() const {

@@ -46,7 +46,6 @@ class Runner:
         environment = {
             **os.environ,
             "OCTOCELL_FAULT": fault,
-            "OCTOCELL_CALIBRATION": "",
             "OMP_WAIT_POLICY": "passive",
             "GTEST_FAIL_FAST": "1",
             "GTEST_BRIEF": "1",
