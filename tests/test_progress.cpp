@@ -11,7 +11,7 @@
 namespace octocell::bench {
 namespace {
 
-/// A pass costs 30 ms whatever its size, and so much a sphere.
+/// A pass of any size costs 30 ms, and so much a sphere.
 struct Row {
   std::string label;
   double seconds_per_sphere;

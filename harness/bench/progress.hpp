@@ -37,7 +37,7 @@ class Progress {
     double spheres;
     double seconds;
   };
-  /// Small scenes show what a pass costs whatever its size (a process is started, short runs are
+  /// Small scenes show what a pass of any size costs (a process is started, short runs are
   /// repeated), large ones what a sphere costs.
   struct Sizes {
     Seen smallest;

@@ -67,11 +67,7 @@ void analyze(Explanation& explanation, Candidate& planned, const BackendInfo& ba
   std::vector<std::pair<Decision*, std::unique_ptr<Candidate>>> rivals;
   for (Decision& decision : explanation.decisions) {
     if (!decision.taken) continue;
-    PlanOptions without = options;
-    without.allowed = options.allowed.without(decision.skip);
-    without.forced = options.forced.without(decision.skip);
-    const bool is_a_method = decision.skip == Skip::grid || decision.skip == Skip::phantoms;
-    if (is_a_method) without.method.reset();
+    const PlanOptions without = without_skip(options, decision.skip);
     try {
       rivals.emplace_back(&decision, std::make_unique<Candidate>(backend, scene, without));
     } catch (const LimitError&) {  // there is no plan without it

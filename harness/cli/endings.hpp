@@ -6,11 +6,12 @@
 
 namespace octocell::cli {
 
-/// Prints "octocell: WHAT" on stderr, on one line, whatever names it holds. Returns the exit code.
+/// Prints "octocell: WHAT" on stderr, on one line; names in it are made printable. Returns the exit
+/// code.
 int complain(std::string_view what, int exit_code);
 
 /// Once, at the start: from now on, a library that calls exit() (OpenMP does where it gets no
-/// thread) and an exception that nobody catches (in a thread) end with a line and exit code 2, and
+/// thread) and an exception that is not caught (in a thread) end with a line and exit code 2, and
 /// a file that grows beyond the user's limit (SIGXFSZ) is an error like a full disk.
 void keep_promised_exit_codes();
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "harness/scenes/file_identity.hpp"
-#include "harness/scenes/motion.hpp"
 #include "harness/scenes/scenes.hpp"
 
 namespace octocell::cli {
@@ -20,10 +19,6 @@ class NamedFiles {
   void read_scene(std::string_view argument, const std::optional<std::string>& flags = {}) {
     if (auto path = file_of(argument)) inputs_.push_back({"SCENE", std::move(*path)});
     if (flags) inputs_.push_back({"--flags", *flags});
-  }
-  void read_frames(const std::string& folder) {
-    if (folder.empty()) return;
-    for (const std::string& file : frame_files(folder)) inputs_.push_back({"--trajectory", file});
   }
   void write(std::string_view option, const std::optional<std::string>& path) {
     if (path && !path->empty()) outputs_.push_back({option, *path});

@@ -31,7 +31,7 @@ class DeviceRuns {
 
 /// How much of the host's memory a run writes to [bytes].
 struct HostBytes {
-  double fixed = 0.0;   // whatever is found
+  double fixed = 0.0;   // in every run
   double per_id = 0.0;  // of Capacities
   double per_cell = 0.0;
   double per_pair = 0.0;  // or doubt

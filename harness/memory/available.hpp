@@ -23,7 +23,7 @@ void require_memory(double bytes, std::string_view what);
 /// Appends to a list that may become long: before it grows, memory for that must be there.
 template <typename T>
 void append_within_memory(std::vector<T>& list, const T& item, std::string_view what) {
-  constexpr std::size_t kUnasked = (std::size_t{32} << 20) / sizeof(T);  // below, nobody waits
+  constexpr std::size_t kUnasked = (std::size_t{32} << 20) / sizeof(T);  // below, it is not asked
   if (list.size() == list.capacity()) {
     const std::size_t grown = std::max<std::size_t>(2 * list.capacity(), 1024);
     if (grown > kUnasked) require_memory(static_cast<double>(grown) * sizeof(T), what);

@@ -121,9 +121,7 @@ std::string fact_of(Skip skip, const SceneStats& stats, const Plan& plan, bool t
 std::optional<double> saving_of(Skip skip, const SceneStats& stats, const Plan& plan,
                                 PlanOptions options) {
   const double cost = estimate_cost(stats, plan, options.costs);
-  options.allowed = options.allowed.without(skip);
-  options.forced = options.forced.without(skip);
-  if (skip == Skip::grid || skip == Skip::phantoms) options.method.reset();
+  options = without_skip(options, skip);
   try {
     const double without = estimate_cost(stats, make_plan(stats, options), options.costs);
     if (without > cost) return 1.0 - cost / without;
@@ -160,6 +158,13 @@ std::string branch_of(const Decision& d) {
 }
 
 }  // namespace
+
+PlanOptions without_skip(PlanOptions options, Skip skip) {
+  options.allowed = options.allowed.without(skip);
+  options.forced = options.forced.without(skip);
+  if (skip == Skip::grid || skip == Skip::phantoms) options.method.reset();
+  return options;
+}
 
 Explanation explain(const SceneStats& stats, const Plan& plan, const PlanOptions& options,
                     std::optional<Skips> used) {

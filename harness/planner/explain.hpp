@@ -38,4 +38,7 @@ Explanation explain(const SceneStats& stats, const Plan& plan, const PlanOptions
 /// A short tree, one line a decision.
 std::string to_text(const Explanation& explanation);
 
+/// The same options without that skip; one that is a method leaves the method to the planner.
+PlanOptions without_skip(PlanOptions options, Skip skip);
+
 }  // namespace octocell
