@@ -65,7 +65,7 @@ def two_configurations() -> list[Configuration]:
 
 
 def sources() -> list[Path]:
-    folders = ["harness/planner", "harness/scenes", "harness/reference", "impl_cpu"]
+    folders = ["harness/memory", "harness/planner", "harness/scenes", "harness/reference", "impl_cpu"]
     found = [path for folder in folders for path in sorted((ROOT / folder).rglob("*.cpp"))]
     driver = [ROOT / "harness/driver" / name for name in ("complete.cpp", "memory_guard.cpp")]
     return [*found, *driver, ROOT / "tests/hazards/digests.cpp"]
