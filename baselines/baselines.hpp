@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "harness/interface/backend.hpp"
+#include "core/finder.hpp"
 
 namespace octocell::baselines {
 

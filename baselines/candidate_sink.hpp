@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "harness/interface/backend.hpp"
-#include "harness/interface/buffer.hpp"
-#include "harness/interface/flags.hpp"
-#include "harness/interface/predicate.hpp"
+#include "core/buffer.hpp"
+#include "core/finder.hpp"
+#include "core/flags.hpp"
+#include "core/predicate.hpp"
 
 namespace octocell::baselines {
 

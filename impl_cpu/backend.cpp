@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "impl_cpu/backend.hpp"
-#include "harness/interface/faults.hpp"
+#include "core/faults.hpp"
 
 #include <algorithm>
 #include <cstdint>

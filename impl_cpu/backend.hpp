@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "harness/interface/backend.hpp"
+#include "core/finder.hpp"
 
 namespace octocell::cpu {
 

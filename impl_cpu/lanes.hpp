@@ -10,9 +10,9 @@
 #include <immintrin.h>
 #endif
 
-#include "harness/interface/faults.hpp"
-#include "harness/interface/pair_test.hpp"
-#include "harness/interface/simd.hpp"
+#include "core/faults.hpp"
+#include "core/pair_test.hpp"
+#include "core/simd.hpp"
 
 namespace octocell::cpu {
 

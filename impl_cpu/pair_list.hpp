@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <span>
 
-#include "harness/interface/faults.hpp"
-#include "harness/interface/pair.hpp"
+#include "core/faults.hpp"
+#include "core/pair.hpp"
 #include "impl_cpu/shared_list.hpp"
 
 namespace octocell::cpu {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <span>
 
-#include "harness/interface/faults.hpp"
-#include "harness/interface/flags.hpp"
+#include "core/faults.hpp"
+#include "core/flags.hpp"
 #include "impl_cpu/stages.hpp"
 
 namespace octocell::cpu {

@@ -2,8 +2,8 @@
 // The three phases of GPU Gems 3, chapter 32, on threads instead of thread groups:
 // tabulate how often each digit occurs in each part, sum, and reorder.
 #include "impl_cpu/radix_sort.hpp"
-#include "harness/interface/digit_plan.hpp"
-#include "harness/interface/faults.hpp"
+#include "core/digit_plan.hpp"
+#include "core/faults.hpp"
 #include "impl_cpu/block_size.hpp"
 
 #include <algorithm>

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <span>
 
-#include "harness/interface/buffer.hpp"
-#include "harness/interface/faults.hpp"
+#include "core/buffer.hpp"
+#include "core/faults.hpp"
 #include "impl_cpu/block_size.hpp"
 
 namespace octocell::cpu {

@@ -8,9 +8,9 @@
 #include <optional>
 #include <span>
 
-#include "harness/interface/faults.hpp"
-#include "harness/interface/flags.hpp"
-#include "harness/planner/scene_stats.hpp"
+#include "core/faults.hpp"
+#include "core/flags.hpp"
+#include "core/planner/scene_stats.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/stages.hpp"
 

@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <span>
 
-#include "harness/interface/as_written.hpp"
-#include "harness/interface/faults.hpp"
-#include "harness/interface/grid.hpp"
+#include "core/as_written.hpp"
+#include "core/faults.hpp"
+#include "core/grid.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <span>
 
-#include "harness/interface/as_written.hpp"
-#include "harness/interface/faults.hpp"
+#include "core/as_written.hpp"
+#include "core/faults.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 #include "impl_cpu/pair_sink.hpp"

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-#include "harness/interface/faults.hpp"
+#include "core/faults.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/lanes.hpp"
 #include "impl_cpu/stages.hpp"

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "harness/interface/backend.hpp"
-#include "harness/interface/chapter32.hpp"
-#include "harness/interface/object_word.hpp"
-#include "harness/interface/plan.hpp"
+#include "core/chapter32.hpp"
+#include "core/finder.hpp"
+#include "core/object_word.hpp"
+#include "core/plan.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/ordered_spheres.hpp"
 #include "impl_cpu/pair_list.hpp"

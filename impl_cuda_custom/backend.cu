@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "impl_cuda_custom/backend.hpp"
 
-#include "harness/interface/error.hpp"
+#include "core/error.hpp"
 
 #ifdef __CUDACC__
 
@@ -9,9 +9,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "harness/interface/faults.hpp"
-#include "harness/interface/flags.hpp"
-#include "harness/planner/scene_stats.hpp"
+#include "core/faults.hpp"
+#include "core/flags.hpp"
+#include "core/planner/scene_stats.hpp"
 #include "impl_cuda_custom/coherence/coherence.cuh"
 #include "impl_cuda_custom/device.cuh"
 #include "impl_cuda_custom/device_runs.cuh"

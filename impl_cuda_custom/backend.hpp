@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "harness/interface/backend.hpp"
+#include "core/finder.hpp"
 
 namespace octocell::cuda_custom {
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "harness/interface/grid.hpp"
+#include "core/grid.hpp"
 #include "impl_cuda_custom/device.cuh"
 
 namespace octocell::cuda_custom {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "harness/interface/backend.hpp"
+#include "core/finder.hpp"
 #include "impl_cuda_custom/pinned_array.cuh"
 #include "impl_cuda_custom/stages.cuh"
 

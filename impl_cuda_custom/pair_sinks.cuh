@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "harness/interface/faults.hpp"
-#include "harness/interface/flags.hpp"
+#include "core/faults.hpp"
+#include "core/flags.hpp"
 #include "impl_cuda_custom/exact.cuh"
 #include "impl_cuda_custom/pair_writer.cuh"
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "harness/interface/pair_test.hpp"
+#include "core/pair_test.hpp"
 #include "impl_cuda_custom/device.cuh"
 
 namespace octocell::cuda_custom {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "harness/interface/cuda.cuh"
+#include "core/cuda/cuda.cuh"
 
 namespace octocell::cuda_custom {
 

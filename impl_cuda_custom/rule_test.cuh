@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "harness/interface/as_written.hpp"
+#include "core/as_written.hpp"
 #include "impl_cuda_custom/device.cuh"
 
 namespace octocell::cuda_custom {

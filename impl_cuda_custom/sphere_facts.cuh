@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "harness/interface/lattice.hpp"
+#include "core/lattice.hpp"
 #include "impl_cuda_custom/device.cuh"
 
 namespace octocell::cuda_custom {

@@ -7,7 +7,7 @@
 //       by side, and a sphere that meets many cells holds nobody up.
 #include <cstdint>
 
-#include "harness/interface/as_written.hpp"
+#include "core/as_written.hpp"
 #include "impl_cuda_custom/cell_box.cuh"
 #include "impl_cuda_custom/half_shell/cell_ids.cuh"
 

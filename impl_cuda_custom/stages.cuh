@@ -10,11 +10,11 @@
 #include <cstdint>
 #include <optional>
 
-#include "harness/interface/chapter32.hpp"
-#include "harness/interface/cuda.cuh"
-#include "harness/interface/object_word.hpp"
-#include "harness/interface/pair.hpp"
-#include "harness/interface/plan.hpp"
+#include "core/chapter32.hpp"
+#include "core/cuda/cuda.cuh"
+#include "core/object_word.hpp"
+#include "core/pair.hpp"
+#include "core/plan.hpp"
 #include "impl_cuda_custom/coherence/rules.hpp"
 #include "impl_cuda_custom/pinned_array.cuh"
 #include "impl_cuda_custom/radix_sort/radix_sort.cuh"

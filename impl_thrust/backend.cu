@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "harness/interface/error.hpp"
+#include "core/error.hpp"
 #include "impl_thrust/stages.cuh"
 
 namespace octocell::on_thrust {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "harness/interface/backend.hpp"
+#include "core/finder.hpp"
 
 namespace octocell::on_thrust {
 

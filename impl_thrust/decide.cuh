@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "harness/interface/faults.hpp"
-#include "harness/interface/pair.hpp"
-#include "harness/interface/predicate.hpp"
+#include "core/faults.hpp"
+#include "core/pair.hpp"
+#include "core/predicate.hpp"
 
 namespace octocell::on_thrust {
 

@@ -3,7 +3,7 @@
 // cheaper to read than a kernel for each test.
 #pragma once
 
-#include "harness/interface/pair_test.hpp"
+#include "core/pair_test.hpp"
 
 namespace octocell::on_thrust {
 

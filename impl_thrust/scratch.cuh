@@ -8,7 +8,7 @@
 #include <mutex>
 #include <new>
 
-#include "harness/interface/cuda.cuh"
+#include "core/cuda/cuda.cuh"
 
 namespace octocell::on_thrust {
 

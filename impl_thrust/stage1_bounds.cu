@@ -9,9 +9,9 @@
 #include <cmath>
 #include <limits>
 
-#include "harness/interface/flags.hpp"
-#include "harness/interface/lattice.hpp"
-#include "harness/planner/scene_stats.hpp"
+#include "core/flags.hpp"
+#include "core/lattice.hpp"
+#include "core/planner/scene_stats.hpp"
 #include "impl_thrust/stages.cuh"
 
 namespace octocell::on_thrust {

@@ -11,8 +11,8 @@
 
 #include <cstdint>
 
-#include "harness/interface/as_written.hpp"
-#include "harness/interface/grid.hpp"
+#include "core/as_written.hpp"
+#include "core/grid.hpp"
 #include "impl_thrust/half_shell/half_shell.cuh"
 
 namespace octocell::on_thrust {

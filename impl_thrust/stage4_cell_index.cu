@@ -15,7 +15,7 @@
 
 #include <cstdint>
 
-#include "harness/interface/faults.hpp"
+#include "core/faults.hpp"
 #include "impl_thrust/half_shell/half_shell.cuh"
 
 namespace octocell::on_thrust {

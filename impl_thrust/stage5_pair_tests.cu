@@ -9,9 +9,9 @@
 
 #include <cstdint>
 
-#include "harness/interface/as_written.hpp"
-#include "harness/interface/faults.hpp"
-#include "harness/interface/flags.hpp"
+#include "core/as_written.hpp"
+#include "core/faults.hpp"
+#include "core/flags.hpp"
 #include "impl_thrust/found_pairs.cuh"
 #include "impl_thrust/gather.cuh"
 #include "impl_thrust/half_shell/half_shell.cuh"

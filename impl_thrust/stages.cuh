@@ -8,10 +8,10 @@
 #include <optional>
 #include <string>
 
-#include "harness/interface/chapter32.hpp"
-#include "harness/interface/object_word.hpp"
-#include "harness/interface/pair.hpp"
-#include "harness/interface/plan.hpp"
+#include "core/chapter32.hpp"
+#include "core/object_word.hpp"
+#include "core/pair.hpp"
+#include "core/plan.hpp"
 #include "impl_thrust/systems.cuh"
 
 namespace octocell::on_thrust {

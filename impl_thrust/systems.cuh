@@ -17,10 +17,10 @@
 #include <thrust/system/cuda/execution_policy.h>
 #endif
 
-#include "harness/interface/buffer.hpp"
-#include "harness/interface/clock.hpp"
-#include "harness/interface/plan.hpp"
-#include "harness/interface/sphere.hpp"
+#include "core/buffer.hpp"
+#include "core/clock.hpp"
+#include "core/plan.hpp"
+#include "core/sphere.hpp"
 #include "impl_thrust/scratch.cuh"
 #include "impl_thrust/threads.hpp"
 

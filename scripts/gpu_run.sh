@@ -26,14 +26,10 @@ quietly() {  # NAME COMMAND...: only how it ended is shown
 }
 
 tests() {
-  quietly radix_sort "$here/tests/test_radix_sort" --gtest_brief=1
-  quietly cuda_custom "$here/tests/test_cuda_custom" --gtest_brief=1
-  quietly cuda_coherence "$here/tests/test_cuda_coherence" --gtest_brief=1
-  quietly cuda_half_shell "$here/tests/test_cuda_half_shell" --gtest_brief=1
-  quietly cuda_precision "$here/tests/test_cuda_precision" --gtest_brief=1
-  quietly near_ties "$here/tests/test_near_ties" --gtest_brief=1
-  quietly agree "$here/tests/test_backends_agree" --gtest_brief=1 --gtest_filter='*cuda*'
-  quietly buffers "$here/tests/test_buffers" --gtest_brief=1 --gtest_filter='*cuda*'
+  local name cases
+  while read -r name cases; do
+    quietly "$name" "$here/tests/$name" --gtest_brief=1 --gtest_filter="$cases"
+  done <"$here/tests/gpu_tests.txt"
 }
 
 # Scenes on which a plain grid holds nearly all spheres in one cell.

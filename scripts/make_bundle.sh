@@ -9,7 +9,6 @@ cd "$(dirname "$0")/.."
 
 IFS=';' architectures="$*"
 unset IFS
-tests=(test_cuda_custom test_cuda_coherence test_cuda_half_shell test_cuda_precision test_near_ties test_radix_sort test_backends_agree test_buffers)
 FAULTS=${FAULTS:-OFF}
 name=octocell
 build="build-bundle"
@@ -26,6 +25,7 @@ libraries_of() {
 
 build() {
   cmake --preset bundle -B "$build" -DOCTOCELL_FAULTS="$FAULTS" -DCMAKE_CUDA_ARCHITECTURES="$architectures" >/dev/null
+  read -ra tests < <(awk '{printf "%s ", $1}' "$build/tests/gpu_tests.txt")
   cmake --build "$build" --target octocell "${tests[@]}"
 }
 
@@ -34,7 +34,8 @@ pack() {
   mkdir -p "$bundle"/{lib,tests,data}
   install --strip "$build/octocell" "$bundle"
   for test in "${tests[@]}"; do install --strip "$build/tests/$test" "$bundle/tests"; done
-  libraries_of "$bundle/octocell" "$bundle"/tests/* | xargs -I{} install --mode=644 {} "$bundle/lib"
+  cp "$build/tests/gpu_tests.txt" "$bundle/tests"
+  libraries_of "$bundle/octocell" "$bundle"/tests/test_* | xargs -I{} install --mode=644 {} "$bundle/lib"
   cp -r reports/octocell_report reports/requirements.txt "$bundle"
   find "$bundle" -name __pycache__ -prune -exec rm -rf {} +
   cp scripts/gpu_run.sh README.md LICENSE "$bundle"

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "harness/interface/predicate.hpp"
+#include "core/predicate.hpp"
 
 #ifdef BT_USE_DOUBLE_PRECISION
 #error "The packaged libBulletCollision is single precision; headers must agree with it."

@@ -4,7 +4,7 @@
 #include <cub/device/device_radix_sort.cuh>
 #include <cub/version.cuh>
 
-#include "harness/interface/cuda.cuh"
+#include "core/cuda/cuda.cuh"
 
 namespace octocell::cub_baseline {
 namespace {

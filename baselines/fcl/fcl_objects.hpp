@@ -11,7 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "harness/interface/sphere.hpp"
+#include "core/sphere.hpp"
 
 #ifdef __AVX__
 #error "libfcl is packaged without AVX; with it Eigen would lay out the same classes differently."

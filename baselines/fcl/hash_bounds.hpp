@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "harness/interface/sphere.hpp"
+#include "core/sphere.hpp"
 
 namespace octocell::baselines {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "baselines/all_pairs.hpp"
-#include "harness/interface/sphere.hpp"
+#include "core/sphere.hpp"
 
 namespace octocell::baselines {
 

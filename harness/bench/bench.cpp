@@ -13,14 +13,14 @@
 #include <string_view>
 #include <utility>
 
+#include "core/error.hpp"
+#include "core/text.hpp"
 #include "harness/bench/interrupts.hpp"
 #include "harness/bench/machine.hpp"
 #include "harness/bench/memory.hpp"
 #include "harness/bench/progress.hpp"
 #include "harness/bench/results.hpp"
-#include "harness/interface/error.hpp"
 #include "harness/scenes/scenes.hpp"
-#include "harness/scenes/text.hpp"
 
 namespace octocell::bench {
 namespace {

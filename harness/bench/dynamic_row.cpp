@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "harness/bench/google_time.hpp"
-#include "harness/driver/median.hpp"
+#include "harness/engine/median.hpp"
 
 namespace octocell::bench {
 namespace {

@@ -13,8 +13,8 @@
 #include <system_error>
 #include <vector>
 
+#include "core/error.hpp"
 #include "harness/bench/bench.hpp"
-#include "harness/interface/error.hpp"
 
 namespace octocell::bench {
 namespace {

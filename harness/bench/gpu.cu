@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "core/cuda/cuda.cuh"
 #include "harness/bench/gpu.hpp"
-#include "harness/interface/cuda.cuh"
 
 namespace octocell::bench {
 namespace {

@@ -2,8 +2,8 @@
 #include <optional>
 #include <string>
 
+#include "core/error.hpp"
 #include "harness/bench/gpu.hpp"
-#include "harness/interface/error.hpp"
 
 namespace octocell::bench {
 

@@ -9,10 +9,12 @@
 #include <string_view>
 #include <utility>
 
-#include "harness/interface/error.hpp"
-#include "harness/scenes/file_identity.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "harness/files/file_identity.hpp"
+#include "harness/files/frames.hpp"
+#include "harness/files/load.hpp"
 #include "harness/scenes/scenes.hpp"
-#include "harness/scenes/text.hpp"
 
 namespace octocell::bench {
 namespace {

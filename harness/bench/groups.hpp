@@ -8,6 +8,7 @@
 
 #include "harness/bench/bench.hpp"
 #include "harness/scenes/motion.hpp"
+#include "harness/scenes/scene.hpp"
 
 namespace octocell::bench {
 

@@ -16,9 +16,10 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "core/error.hpp"
 #include "harness/bench/bench.hpp"
-#include "harness/driver/complete.hpp"
-#include "harness/interface/error.hpp"
+#include "harness/engine/find_completely.hpp"
+#include "harness/files/load.hpp"
 #include "harness/scenes/scenes.hpp"
 
 extern char** environ;

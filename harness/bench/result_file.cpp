@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/error.hpp"
 #include "harness/bench/json_text.hpp"
-#include "harness/interface/error.hpp"
-#include "harness/scenes/output_file.hpp"
+#include "harness/files/output_file.hpp"
 
 namespace octocell::bench {
 

@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "core/digit_plan.hpp"
 #include "harness/bench/dynamic_row.hpp"
 #include "harness/bench/stage_bytes.hpp"
-#include "harness/interface/digit_plan.hpp"
 
 namespace octocell::bench {
 namespace {

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "core/cuda/device_memory.hpp"
+#include "core/error.hpp"
 #include "harness/bench/dynamic_row.hpp"
 #include "harness/bench/static_row.hpp"
-#include "harness/driver/isolate.hpp"
-#include "harness/interface/device_memory.hpp"
-#include "harness/interface/error.hpp"
+#include "harness/engine/isolate.hpp"
 
 namespace octocell::bench {
 

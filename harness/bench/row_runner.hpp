@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "harness/bench/rows.hpp"
-#include "harness/driver/complete.hpp"
-#include "harness/reference/reference.hpp"
+#include "harness/engine/find_completely.hpp"
+#include "harness/verify/reference/reference.hpp"
 
 namespace octocell::bench {
 

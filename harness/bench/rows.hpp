@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "harness/bench/groups.hpp"
-#include "harness/registry/registry.hpp"
+#include "harness/engine/registry.hpp"
 
 namespace octocell::bench {
 

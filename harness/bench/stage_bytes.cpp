@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "harness/bench/stage_bytes.hpp"
 
-#include "harness/interface/pair.hpp"
-#include "harness/interface/sphere.hpp"
+#include "core/pair.hpp"
+#include "core/sphere.hpp"
 
 namespace octocell::bench {
 

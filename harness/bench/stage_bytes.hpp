@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <map>
 
-#include "harness/interface/plan.hpp"
-#include "harness/interface/stage.hpp"
+#include "core/plan.hpp"
+#include "core/stage.hpp"
 
 namespace octocell::bench {
 

@@ -16,11 +16,12 @@
 
 #include "harness/cli/commands.hpp"
 #include "harness/cli/names.hpp"
-#include "harness/driver/complete.hpp"
-#include "harness/driver/isolate.hpp"
-#include "harness/reference/reference.hpp"
-#include "harness/registry/registry.hpp"
+#include "harness/engine/find_completely.hpp"
+#include "harness/engine/isolate.hpp"
+#include "harness/engine/registry.hpp"
+#include "harness/files/load.hpp"
 #include "harness/scenes/scenes.hpp"
+#include "harness/verify/reference/reference.hpp"
 
 namespace octocell::cli {
 namespace {

@@ -8,15 +8,16 @@
 #include <utility>
 #include <vector>
 
+#include "core/error.hpp"
+#include "core/planner/explain.hpp"
 #include "harness/bench/json_text.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/cli/names.hpp"
 #include "harness/cli/own_choices.hpp"
-#include "harness/driver/complete.hpp"
-#include "harness/driver/median.hpp"
-#include "harness/interface/error.hpp"
-#include "harness/planner/explain.hpp"
-#include "harness/registry/registry.hpp"
+#include "harness/engine/find_completely.hpp"
+#include "harness/engine/median.hpp"
+#include "harness/engine/registry.hpp"
+#include "harness/files/load.hpp"
 #include "harness/scenes/scenes.hpp"
 
 namespace octocell::cli {

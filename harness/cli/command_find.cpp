@@ -10,20 +10,21 @@
 #include <string>
 #include <vector>
 
+#include "core/available_memory.hpp"
+#include "core/depth.hpp"
+#include "core/flags.hpp"
+#include "core/planner/explain.hpp"
 #include "harness/bench/json_text.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/cli/named_files.hpp"
 #include "harness/cli/names.hpp"
 #include "harness/cli/own_choices.hpp"
-#include "harness/driver/complete.hpp"
-#include "harness/interface/depth.hpp"
-#include "harness/interface/flags.hpp"
-#include "harness/memory/available.hpp"
-#include "harness/planner/explain.hpp"
-#include "harness/reference/reference.hpp"
-#include "harness/registry/registry.hpp"
-#include "harness/scenes/save.hpp"
+#include "harness/engine/find_completely.hpp"
+#include "harness/engine/registry.hpp"
+#include "harness/files/load.hpp"
+#include "harness/files/save.hpp"
 #include "harness/scenes/scenes.hpp"
+#include "harness/verify/reference/reference.hpp"
 
 namespace octocell::cli {
 namespace {

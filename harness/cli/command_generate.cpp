@@ -5,12 +5,13 @@
 #include <optional>
 #include <string>
 
+#include "core/text.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/cli/named_files.hpp"
 #include "harness/cli/names.hpp"
-#include "harness/scenes/save.hpp"
+#include "harness/files/load.hpp"
+#include "harness/files/save.hpp"
 #include "harness/scenes/scenes.hpp"
-#include "harness/scenes/text.hpp"
 
 namespace octocell::cli {
 namespace {

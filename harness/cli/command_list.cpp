@@ -7,7 +7,7 @@
 #include <string>
 
 #include "harness/cli/commands.hpp"
-#include "harness/registry/registry.hpp"
+#include "harness/engine/registry.hpp"
 #include "harness/scenes/scenes.hpp"
 
 namespace octocell::cli {

@@ -16,7 +16,7 @@
 #include "harness/bench/result_file.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/cli/names.hpp"
-#include "harness/near_ties/near_ties.hpp"
+#include "harness/verify/near_tangent/near_tangent.hpp"
 
 namespace octocell::cli {
 namespace {

@@ -14,13 +14,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/text.hpp"
 #include "harness/bench/interrupts.hpp"
 #include "harness/bench/machine.hpp"
 #include "harness/bench/result_file.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/cli/names.hpp"
-#include "harness/scenes/text.hpp"
-#include "harness/stress/run.hpp"
+#include "harness/verify/stress/run.hpp"
 
 namespace octocell::cli {
 namespace {

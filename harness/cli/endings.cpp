@@ -10,8 +10,8 @@
 #include <exception>
 #include <new>
 
+#include "core/text.hpp"
 #include "harness/cli/commands.hpp"
-#include "harness/scenes/text.hpp"
 
 namespace octocell::cli {
 namespace {

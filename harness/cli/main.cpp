@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/cli/endings.hpp"
-#include "harness/interface/error.hpp"
 
 namespace {
 

@@ -9,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "harness/scenes/file_identity.hpp"
+#include "harness/files/file_identity.hpp"
+#include "harness/files/load.hpp"
 #include "harness/scenes/scenes.hpp"
 
 namespace octocell::cli {

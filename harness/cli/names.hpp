@@ -16,10 +16,10 @@
 #include <thread>
 #include <vector>
 
-#include "harness/interface/error.hpp"
-#include "harness/interface/plan.hpp"
-#include "harness/planner/planner.hpp"
-#include "harness/registry/registry.hpp"
+#include "core/error.hpp"
+#include "core/plan.hpp"
+#include "core/planner/planner.hpp"
+#include "harness/engine/registry.hpp"
 
 namespace octocell::cli {
 

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
+#include "core/planner/planner.hpp"
 #include "harness/cli/names.hpp"
-#include "harness/interface/error.hpp"
-#include "harness/planner/planner.hpp"
-#include "harness/registry/registry.hpp"
+#include "harness/engine/registry.hpp"
 
 namespace octocell::cli {
 

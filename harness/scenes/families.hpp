@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-#include "harness/interface/sphere.hpp"
+#include "core/sphere.hpp"
 #include "harness/scenes/parameters.hpp"
 #include "harness/scenes/portable_math.hpp"
 #include "harness/scenes/scenes.hpp"

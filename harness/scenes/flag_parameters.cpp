@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "harness/interface/pair.hpp"
+#include "core/pair.hpp"
 
 namespace octocell {
 namespace {

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Scenes that move: the three motions customary in broad-phase benchmarks, three in which
-// little happens, and recorded frames.
+// Scenes that move: the three motions customary in broad-phase benchmarks, three in which little
+// happens. Recorded frames are harness/files/frames.hpp's.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
-#include "harness/scenes/scenes.hpp"
+#include "core/sphere.hpp"
 
 namespace octocell {
 
@@ -36,12 +35,5 @@ using Frames = std::vector<std::vector<Sphere>>;
 /// that is static stays where it is, and the others move as if there were no flags.
 Frames move(const std::vector<Sphere>& start, Motion motion, int count, std::uint64_t seed,
             std::span<const Flags> flags = {});
-
-/// Every *.npy of a folder that is not hidden, in the natural order of their names: f2 before f10.
-/// Throws InputError if there is none.
-std::vector<std::string> frame_files(const std::string& folder);
-
-/// What they hold. Throws InputError if the frames hold different numbers of spheres.
-Frames load_frames(const std::string& folder);
 
 }  // namespace octocell

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <system_error>
 
-#include "harness/interface/error.hpp"
-#include "harness/scenes/text.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace octocell {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "harness/interface/ieee754.hpp"
+#include "core/ieee754.hpp"
 
 namespace octocell {
 

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <new>
 
-#include "harness/interface/error.hpp"
-#include "harness/memory/available.hpp"
+#include "core/available_memory.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
 #include "harness/scenes/families.hpp"
 #include "harness/scenes/flag_parameters.hpp"
 #include "harness/scenes/parameters.hpp"
-#include "harness/scenes/text.hpp"
 
 namespace octocell {
 namespace {

@@ -1,50 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Where spheres come from: a generator ("gas:n=1e5,seed=7") or a file (.npy, .csv, .pqr).
+// Generators of scenes: "gas:n=1e5,seed=7". Files are harness/files/load.hpp's.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "harness/interface/sphere.hpp"
+#include "core/sphere.hpp"
+#include "harness/scenes/scene.hpp"
 
 namespace octocell {
-
-/// A sphere as a float64 file holds it.
-struct DoubleSphere {
-  double x;
-  double y;
-  double z;
-  double r;
-};
-
-/// To nearest, ties to even.
-inline Sphere rounded(const DoubleSphere& s) {
-  return {static_cast<float>(s.x), static_cast<float>(s.y), static_cast<float>(s.z),
-          static_cast<float>(s.r)};
-}
-
-struct Scene {
-  // Both are printable: bytes of a path that cannot be shown are escaped.
-  std::string name;  // of the generator, or the file's name without folder and extension
-  std::string spec;  // gives the same scene again: every parameter spelt out, or the file's path
-  std::vector<Sphere> spheres;
-  std::vector<Flags> flags;  // one a sphere, or none
-  /// What a float64 file held, or a generator had, before it was rounded to float32; only after
-  /// LoadOptions::round_input.
-  std::optional<std::vector<DoubleSphere>> unrounded;
-
-  [[nodiscard]] SceneView view() const { return {spheres, flags}; }
-};
-
-struct LoadOptions {
-  std::optional<std::string> flags = {};  // the path of a side file with flags (NPY)
-  /// Accept float64 arrays and round them to float32; keep them, and the float64 numbers that a
-  /// generator rounds, in Scene::unrounded.
-  bool round_input = false;
-};
 
 /// A generator's parameter. Values outside [lowest, highest] are refused.
 struct ParameterInfo {
@@ -79,16 +45,5 @@ std::span<const ParameterInfo> flag_parameters();
 /// machine, with every compiler and every flag (but not with -ffast-math, which is refused).
 /// Throws InputError (says what is known) and LimitError (not enough memory).
 Scene generate(std::string_view spec, const LoadOptions& options = {});
-
-/// Reads .npy, .csv or .pqr, whichever the path's extension says. All spheres are valid.
-/// Throws InputError with the path and, where there is one, the line or the sphere.
-Scene load_scene(const std::string& path, const LoadOptions& options = {});
-
-/// The path, if that argument names a file and no generator.
-std::optional<std::string> file_of(std::string_view scene_argument);
-
-/// An argument with a '/', or with a known extension, or that names a file, is a file; but the
-/// name of a generator always means the generator (./gas means the file). Throws as both above.
-Scene load_or_generate(std::string_view scene_argument, const LoadOptions& options = {});
 
 }  // namespace octocell

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "harness/interface/stage.hpp"
-#include "harness/planner/skin_width.hpp"
+#include "core/planner/skin_width.hpp"
+#include "core/stage.hpp"
 #include "impl_cpu/coherence/kept_copy.hpp"
 #include "impl_cpu/coherence/motion_sample.hpp"
 #include "impl_cpu/coherence/movers.hpp"

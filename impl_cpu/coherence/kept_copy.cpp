@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "impl_cpu/coherence/kept_copy.hpp"
-#include "harness/interface/faults.hpp"
+#include "core/faults.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <cstring>
 #include <span>
 
-#include "harness/interface/same_bits.hpp"
+#include "core/same_bits.hpp"
 #include "impl_cpu/block_size.hpp"
 
 namespace octocell::cpu::coherence {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "harness/interface/sphere.hpp"
+#include "core/sphere.hpp"
 #include "impl_cpu/shared_list.hpp"
 #include "impl_cpu/threads.hpp"
 

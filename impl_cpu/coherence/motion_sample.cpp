@@ -7,8 +7,8 @@
 #include <cstring>
 #include <limits>
 
-#include "harness/interface/flags.hpp"
-#include "harness/interface/pair.hpp"
+#include "core/flags.hpp"
+#include "core/pair.hpp"
 
 namespace octocell::cpu::coherence {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "harness/interface/sphere.hpp"
-#include "harness/planner/skin_width.hpp"
+#include "core/planner/skin_width.hpp"
+#include "core/sphere.hpp"
 
 namespace octocell::cpu::coherence {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "impl_cpu/coherence/near_pairs.hpp"
-#include "harness/interface/faults.hpp"
+#include "core/faults.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,8 @@
 #include <numeric>
 #include <span>
 
-#include "harness/interface/flags.hpp"
-#include "harness/interface/same_bits.hpp"
+#include "core/flags.hpp"
+#include "core/same_bits.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 #include "impl_cpu/pair_sink.hpp"

@@ -14,8 +14,8 @@
 #include <optional>
 #include <span>
 
-#include "harness/interface/grid.hpp"
-#include "harness/interface/simd.hpp"
+#include "core/grid.hpp"
+#include "core/simd.hpp"
 #include "impl_cpu/block_size.hpp"
 
 namespace octocell::cpu::half_shell {

@@ -11,8 +11,8 @@
 #include <numeric>
 #include <span>
 
-#include "harness/interface/faults.hpp"
-#include "harness/interface/simd.hpp"
+#include "core/faults.hpp"
+#include "core/simd.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "harness/interface/faults.hpp"
+#include "core/faults.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 
 namespace octocell::cpu::half_shell {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "harness/interface/buffer.hpp"
-#include "harness/interface/plan.hpp"
+#include "core/buffer.hpp"
+#include "core/plan.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/lanes.hpp"
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "harness/interface/faults.hpp"
+#include "core/faults.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/borders.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"

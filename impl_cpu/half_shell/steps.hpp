@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "harness/interface/grid.hpp"
+#include "core/grid.hpp"
 
 namespace octocell::cpu::half_shell {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "harness/planner/skin_width.hpp"
+#include "core/planner/skin_width.hpp"
 #include "impl_cuda_custom/stages.cuh"
 
 namespace octocell::cuda_custom::coherence {

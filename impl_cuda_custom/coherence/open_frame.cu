@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "harness/interface/pair.hpp"
+#include "core/pair.hpp"
 #include "impl_cuda_custom/coherence/frames.cuh"
 #include "impl_cuda_custom/device.cuh"
 #include "impl_cuda_custom/radix_sort/digit_histograms.cuh"

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <cstring>
 
-#include "harness/interface/flags.hpp"
-#include "harness/interface/predicate.hpp"
-#include "harness/interface/same_bits.hpp"
+#include "core/flags.hpp"
+#include "core/predicate.hpp"
+#include "core/same_bits.hpp"
 
 namespace octocell::cuda_custom::coherence {
 

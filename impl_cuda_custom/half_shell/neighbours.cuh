@@ -10,7 +10,7 @@
 
 #include <cstdint>
 
-#include "harness/interface/faults.hpp"
+#include "core/faults.hpp"
 #include "impl_cuda_custom/half_shell/cell_starts.cuh"
 
 namespace octocell::cuda_custom::half_shell {

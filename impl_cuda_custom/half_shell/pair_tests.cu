@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "harness/interface/faults.hpp"
+#include "core/faults.hpp"
 #include "impl_cuda_custom/coherence/near_pairs.cuh"
 #include "impl_cuda_custom/half_shell/neighbours.cuh"
 #include "impl_cuda_custom/pair_sinks.cuh"

@@ -13,8 +13,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "harness/interface/cuda.cuh"
-#include "harness/interface/faults.hpp"
+#include "core/cuda/cuda.cuh"
+#include "core/faults.hpp"
 #include "impl_cuda_custom/radix_sort/digit_histograms.cuh"
 #include "impl_cuda_custom/radix_sort/onesweep_tile.cuh"
 

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "harness/interface/cuda.cuh"
+#include "core/cuda/cuda.cuh"
 #include "impl_cuda_custom/radix_sort/device_tools.cuh"
 #include "impl_cuda_custom/radix_sort/look_back.cuh"
 #include "impl_cuda_custom/radix_sort/rungs.cuh"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "harness/interface/error.hpp"
+#include "core/error.hpp"
 #include "impl_cuda_custom/radix_sort/digit_histograms.cuh"
 #include "impl_cuda_custom/radix_sort/rungs.cuh"
 

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "harness/interface/digit_plan.hpp"
+#include "core/digit_plan.hpp"
 
 namespace octocell::cuda_custom {
 

@@ -6,7 +6,7 @@
 // Idea: count, scan, write, one work item a sphere. Shell says which runs it meets.
 #include <cstdint>
 
-#include "harness/interface/flags.hpp"
+#include "core/flags.hpp"
 #include "impl_thrust/found_pairs.cuh"
 #include "impl_thrust/half_shell/shell.cuh"
 

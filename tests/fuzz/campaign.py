@@ -17,7 +17,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "reports")]
+sys.path[:0] = [str(ROOT / "tests/support"), str(ROOT / "reports")]
 
 from octocell_report.console import Parser, run  # noqa: E402
 from octocell_report.files import check_outputs, write_json  # noqa: E402

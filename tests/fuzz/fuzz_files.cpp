@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/interface/error.hpp"
-#include "harness/scenes/load_formats.hpp"
+#include "core/error.hpp"
+#include "harness/files/load_formats.hpp"
 
 namespace octocell::fuzz {
 namespace {

@@ -6,10 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include "harness/driver/complete.hpp"
-#include "harness/interface/error.hpp"
-#include "harness/reference/reference.hpp"
-#include "harness/registry/registry.hpp"
+#include "core/error.hpp"
+#include "harness/engine/find_completely.hpp"
+#include "harness/engine/registry.hpp"
+#include "harness/verify/reference/reference.hpp"
 #include "tests/fuzz/scene_of_bytes.hpp"
 
 namespace octocell::fuzz {

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cmath>
 
-#include "harness/interface/predicate.hpp"
+#include "core/predicate.hpp"
 
 namespace octocell::fuzz {
 namespace {

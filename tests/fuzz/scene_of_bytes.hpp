@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "harness/interface/sphere.hpp"
+#include "core/sphere.hpp"
 
 namespace octocell::fuzz {
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "reports")]
+sys.path[:0] = [str(ROOT / "tests/support"), str(ROOT / "reports")]
 
 from octocell_report import console  # noqa: E402
 from octocell_report.files import check_outputs, write_json  # noqa: E402
@@ -65,9 +65,9 @@ def two_configurations() -> list[Configuration]:
 
 
 def sources() -> list[Path]:
-    folders = ["harness/memory", "harness/planner", "harness/scenes", "harness/reference", "impl_cpu"]
+    folders = ["core", "harness/scenes", "harness/verify/reference", "impl_cpu"]
     found = [path for folder in folders for path in sorted((ROOT / folder).rglob("*.cpp"))]
-    driver = [ROOT / "harness/driver" / name for name in ("complete.cpp", "memory_guard.cpp")]
+    driver = [ROOT / "harness/engine" / f"{name}.cpp" for name in ("find_completely", "memory_guard")]
     return [*found, *driver, ROOT / "tests/hazards/digests.cpp"]
 
 
@@ -120,7 +120,7 @@ def wrong_answers(lines: list[str]) -> list[str]:
 
 def flags_that_compile() -> list[str]:
     """Of the flags that must be refused, those that are not."""
-    source = '#include "harness/interface/sphere.hpp"'
+    source = '#include "core/sphere.hpp"'
     accepted = []
     for compiler in compilers():
         for flag in REFUSED:

@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "harness/driver/complete.hpp"
-#include "harness/interface/error.hpp"
-#include "harness/reference/reference.hpp"
+#include "core/error.hpp"
+#include "harness/engine/find_completely.hpp"
 #include "harness/scenes/scenes.hpp"
+#include "harness/verify/reference/reference.hpp"
 #include "impl_cpu/backend.hpp"
 
 namespace {

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "reports")]
+sys.path[:0] = [str(ROOT / "tests/support"), str(ROOT / "reports")]
 
 from octocell_report.console import Parser, run  # noqa: E402
 from octocell_report.fields import ReportError  # noqa: E402

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "harness/interface/fault_table.hpp"
+#include "tests/mutation/fault_table.hpp"
 
 namespace octocell::faults {
 namespace {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Would the tests notice? It runs them on a build in which one fault after the other is switched on
-(harness/interface/faults.hpp), until one fails. First all of them without a fault: they must pass,
+(core/faults.hpp), until one fails. First all of them without a fault: they must pass,
 and their times say in which order to try them. Exit 1 if a fault survives."""
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from runner import Check, Runner  # noqa: E402
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
-SOURCES = ("harness", "impl_cpu", "impl_thrust", "impl_cuda_custom")
+SOURCES = ("core", "harness", "impl_cpu", "impl_thrust", "impl_cuda_custom")
 PLANTED = re.compile(r"OCTOCELL_FAULT\(\s*(\w+)\s*,")
 DEVICE = "impl_cuda_custom"  # its faults need a GPU
 LEAST_LIMIT, LIMIT_FACTOR = 30.0, 10.0  # seconds, and times what a check takes without a fault
@@ -38,16 +38,16 @@ EXIT_SURVIVED, EXIT_BAD_INPUT, EXIT_INTERRUPTED = 1, 2, 130
 
 # What is tried first for the faults of a file or folder; then all the rest, the quickest first.
 LIKELY = {
-    "harness/interface/predicate.hpp": (
+    "core/predicate.hpp": (
         "test_predicate test_properties_margins test_properties_predicate"
     ),
-    "harness/interface/grid.hpp": "test_grid test_properties_grid",
-    "harness/interface/flags.hpp": "test_flags",
-    "harness/interface/same_bits.hpp": "test_coherence",
-    "harness/interface/chapter32.hpp": "test_cell_ids stress_impl_cpu",
-    "harness/planner": "test_planner test_grid test_properties_grid",
-    "harness/planner/scene_stats.cpp": "test_bounds test_half_shell",
-    "harness/scenes": "test_scene_files",
+    "core/grid.hpp": "test_grid test_properties_grid",
+    "core/flags.hpp": "test_flags",
+    "core/same_bits.hpp": "test_coherence",
+    "core/chapter32.hpp": "test_cell_ids stress_impl_cpu",
+    "core/planner": "test_planner test_grid test_properties_grid",
+    "core/planner/scene_stats.cpp": "test_bounds test_half_shell",
+    "harness/files": "test_scene_files",
     "impl_cpu/coherence": "test_coherence test_coherence_movers",
     "impl_cpu/backend.cpp": "test_coherence test_flags",
     "impl_cpu/half_shell": "test_half_shell test_coherence_movers",

@@ -13,8 +13,8 @@
 #include <ios>
 #include <ostream>
 
-#include "harness/interface/predicate.hpp"
-#include "harness/interface/sphere.hpp"
+#include "core/predicate.hpp"
+#include "core/sphere.hpp"
 
 namespace octocell {
 

@@ -4,7 +4,7 @@
 
 #include <gmpxx.h>
 
-#include "harness/interface/sphere.hpp"
+#include "core/sphere.hpp"
 
 namespace octocell::properties {
 

@@ -7,8 +7,8 @@
 
 #include <cmath>
 
-#include "harness/interface/depth.hpp"
-#include "harness/reference/reference.hpp"
+#include "core/depth.hpp"
+#include "harness/verify/reference/reference.hpp"
 #include "tests/properties/generators.hpp"
 #include "tests/properties/oracle.hpp"
 

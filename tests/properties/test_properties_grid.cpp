@@ -13,7 +13,7 @@
 // needs the above
 #include <rapidcheck/gtest.h>
 
-#include "harness/planner/planner.hpp"
+#include "core/planner/planner.hpp"
 #include "tests/properties/generators.hpp"
 #include "tests/properties/oracle.hpp"
 

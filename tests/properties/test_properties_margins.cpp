@@ -10,7 +10,7 @@
 // needs the above
 #include <rapidcheck/gtest.h>
 
-#include "harness/interface/predicate.hpp"
+#include "core/predicate.hpp"
 #include "tests/properties/generators.hpp"
 
 namespace octocell {

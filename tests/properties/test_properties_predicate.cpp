@@ -5,7 +5,7 @@
 // needs the above
 #include <rapidcheck/gtest.h>
 
-#include "harness/interface/predicate.hpp"
+#include "core/predicate.hpp"
 #include "tests/properties/generators.hpp"
 #include "tests/properties/oracle.hpp"
 

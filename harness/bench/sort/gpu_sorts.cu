@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "baselines/cub/radix_sort.cuh"
+#include "core/cuda/cuda.cuh"
 #include "harness/bench/sort/gpu_sort_check.cuh"
-#include "harness/interface/cuda.cuh"
 #include "impl_cuda_custom/radix_sort/radix_sort.cuh"
 
 namespace octocell::bench {

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.hpp"
 #include "harness/bench/gpu.hpp"
 #include "harness/bench/sort/gpu_sorts.hpp"
-#include "harness/interface/error.hpp"
 
 namespace octocell::bench {
 

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/available_memory.hpp"
+#include "core/error.hpp"
 #include "harness/bench/gpu.hpp"
 #include "harness/bench/interrupts.hpp"
 #include "harness/bench/machine.hpp"
@@ -18,8 +20,6 @@
 #include "harness/bench/result_file.hpp"
 #include "harness/bench/sort/gpu_rows.hpp"
 #include "harness/bench/sort/sort_rows.hpp"
-#include "harness/interface/error.hpp"
-#include "harness/memory/available.hpp"
 
 namespace octocell::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "harness/interface/error.hpp"
+#include "core/error.hpp"
 #include "harness/scenes/portable_math.hpp"
 
 namespace octocell::bench {

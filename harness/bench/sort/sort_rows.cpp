@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "harness/bench/google_time.hpp"
-#include "harness/driver/median.hpp"
+#include "harness/engine/median.hpp"
 
 namespace octocell::bench {
 namespace {

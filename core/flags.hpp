@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Which pairs count at all, wherever the two spheres are. Every implementation asks here, before it
+// looks for a pair's exact answer; only the reference has words of its own for it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/faults.hpp"
+#include "core/host_device.hpp"
+#include "core/sphere.hpp"
+
+namespace octocell {
+
+OCTOCELL_HD bool is_static(Flags f) { return (f.word & 0x8000U) != 0; }
+OCTOCELL_HD std::uint32_t group_of(Flags f) { return f.word & kMaxGroup; }
+OCTOCELL_HD std::uint32_t mask_of(Flags f) { return f.word >> 16; }
+
+/// Not two static spheres, and each in a group that the other's mask names, as in Bullet's
+/// collision filter (btOverlappingPairCache::needsBroadphaseCollision).
+OCTOCELL_HD bool may_collide(Flags a, Flags b) {
+  return !(is_static(a) && is_static(b)) && (group_of(a) & mask_of(b)) != 0 &&
+         OCTOCELL_FAULT(flags_one_way, true, (group_of(b) & mask_of(a)) != 0);
+}
+
+inline std::uint64_t count_static(std::span<const Flags> flags) {
+  return static_cast<std::uint64_t>(std::ranges::count_if(flags, is_static));
+}
+
+/// The numbers of those that are not static.
+inline std::vector<std::uint32_t> movable_among(std::span<const Flags> flags) {
+  std::vector<std::uint32_t> movable;
+  for (std::uint32_t k = 0; k < flags.size(); ++k) {
+    if (!is_static(flags[k])) movable.push_back(k);
+  }
+  return movable;
+}
+
+/// False where it is certain that no two spheres may collide, so that nothing need be searched. One
+/// of two that may is not static; its group is in some mask, and its mask holds some group.
+inline bool some_may_collide(std::span<const Flags> flags) {
+  if (flags.empty()) return true;
+  std::uint32_t groups = 0;
+  std::uint32_t masks = 0;
+  std::uint32_t moving_groups = 0;
+  std::uint32_t moving_masks = 0;
+  for (const Flags f : flags) {
+    const std::uint32_t if_moving = is_static(f) ? 0U : ~0U;
+    groups |= group_of(f);
+    masks |= mask_of(f);
+    moving_groups |= group_of(f) & if_moving;
+    moving_masks |= mask_of(f) & if_moving;
+  }
+  return (moving_groups & OCTOCELL_FAULT(flags_search_given_up, moving_masks, masks)) != 0 &&
+         (moving_masks & groups) != 0;
+}
+
+}  // namespace octocell

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+// How stage 5 looks at two spheres: the one place where a precision mode is chosen.
+//
+// A test has two steps. may_overlap() sees every candidate, so it decides what a candidate costs;
+// verdict_on() sees the few that pass, and says overlap, apart, or doubt, which is for stage 6.
+// The predicate is what a user asks for; a plan turns it into the test that its scene needs.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "core/packed_sphere.hpp"
+#include "core/predicate.hpp"
+
+namespace octocell {
+
+/// What is asked for. Only `exact` and `q16_exact` promise the exact pairs; the others show what
+/// giving that up buys, and costs.
+enum class Predicate : std::uint8_t {
+  exact,      // float32 with a proved band, doubts decided over the reals
+  f32,        // |p - q|^2 <= (r_p + r_q)^2, all in float32
+  f32_sqrt,   // |p - q| <= r_p + r_q, all in float32
+  f64,        // float32 spheres, all in float64
+  aabb_only,  // boxes [p - r, p + r]: loses nothing, and takes corners for overlaps
+  f16_cell,   // places and radii kept in 16-bit floats, relative to a cell
+  q16_cell,   // places and radii kept in 16-bit integers, relative to a cell
+  q16_exact,  // the same, rounded so that nothing is lost; what passes is tested exactly
+  gram_f32,   // |p|^2 + |q|^2 - 2 p.q, all in float32, as units for products of matrices would
+};
+inline constexpr std::array<std::string_view, 9> kPredicateNames = {
+    "exact",    "f32",      "f32_sqrt",  "f64",     "aabb_only",
+    "f16_cell", "q16_cell", "q16_exact", "gram_f32"};
+constexpr std::string_view name_of(Predicate p) {
+  return kPredicateNames[static_cast<std::size_t>(p)];
+}
+constexpr bool claims_exact(Predicate p) {
+  return p == Predicate::exact || p == Predicate::q16_exact;
+}
+
+enum class PairTest : std::uint8_t {
+  band_fast,   // of predicate exact: radii in the range of Band::fast
+  band_safe,   // the same for any radii
+  band_equal,  // as band_fast, and all radii are one: what is compared with is a constant
+  f32,         // of its predicate; of exact, where a lattice makes float32 exact
+  f32_sqrt,
+  f64,
+  boxes,
+  f16,
+  q16,
+  q16_exact,
+  gram,
+};
+
+/// It keeps spheres in 16 bits a number.
+OCTOCELL_HD constexpr bool is_packed(PairTest t) {
+  return t == PairTest::f16 || t == PairTest::q16 || t == PairTest::q16_exact;
+}
+
+/// It compares with one number, so it needs the radius of no sphere but one.
+OCTOCELL_HD constexpr bool has_one_radius(PairTest t) { return t == PairTest::band_equal; }
+
+/// The band of a test with one.
+OCTOCELL_HD constexpr Band band_of(PairTest t) {
+  return t == PairTest::band_safe ? Band::safe : Band::fast;
+}
+
+/// It finds none, so stage 6 has nothing to do.
+OCTOCELL_HD constexpr bool has_doubts(PairTest t) {
+  return t <= PairTest::band_equal || t == PairTest::q16_exact;
+}
+
+/// The radius as stage 5 keeps it in a float; once per sphere. Packed tests keep floats, too, for
+/// what passes.
+template <PairTest test>
+OCTOCELL_HD float stored_radius(float r) {
+  if constexpr (test == PairTest::band_fast || test == PairTest::band_equal) {
+    return band_radius<Band::fast>(r);
+  } else if constexpr (test == PairTest::band_safe || test == PairTest::q16_exact) {
+    return band_radius<Band::safe>(r);
+  } else {
+    return r;
+  }
+}
+
+/// The sphere as stage 5 keeps it in floats.
+template <PairTest test>
+OCTOCELL_HD Sphere stored(const Sphere& s) {
+  return {s.x, s.y, s.z, stored_radius<test>(s.r)};
+}
+
+/// The sphere as a packed test keeps it.
+template <PairTest test>
+OCTOCELL_HD PackedSphere pack(const Sphere& s, const Packing& packing) {
+  if constexpr (test == PairTest::f16) {
+    return {f16::place(s.x, packing), f16::place(s.y, packing), f16::place(s.z, packing),
+            f16::radius(s.r, packing)};
+  }
+  const std::uint16_t r = test == PairTest::q16_exact ? q16::upper_radius(s.r, packing)
+                                                      : q16::nearest_radius(s.r, packing);
+  return {q16::place(s.x, packing), q16::place(s.y, packing), q16::place(s.z, packing), r};
+}
+
+/// Tests of two spheres with stored radii.
+namespace pair_tests {
+
+OCTOCELL_HD bool within_f32_sqrt(const Sphere& a, const Sphere& b) {
+  return sqrtf(band_distance2(a, b)) <= a.r + b.r;
+}
+
+OCTOCELL_HD bool within_f64(const Sphere& a, const Sphere& b) {
+  const double dx = static_cast<double>(a.x) - static_cast<double>(b.x);
+  const double dy = static_cast<double>(a.y) - static_cast<double>(b.y);
+  const double dz = static_cast<double>(a.z) - static_cast<double>(b.z);
+  const double reach = static_cast<double>(a.r) + static_cast<double>(b.r);
+  return dx * dx + dy * dy + dz * dz <= reach * reach;
+}
+
+/// Each end is rounded once, and rounding is monotone: boxes of spheres that overlap do, too.
+OCTOCELL_HD bool boxes_meet(const Sphere& a, const Sphere& b) {
+  return a.x - a.r <= b.x + b.r && b.x - b.r <= a.x + a.r &&  //
+         a.y - a.r <= b.y + b.r && b.y - b.r <= a.y + a.r &&  //
+         a.z - a.r <= b.z + b.r && b.z - b.r <= a.z + a.r;
+}
+
+OCTOCELL_HD float norm2(const Sphere& s) { return s.x * s.x + s.y * s.y + s.z * s.z; }
+
+OCTOCELL_HD bool within_gram(const Sphere& a, const Sphere& b) {
+  const float product = a.x * b.x + a.y * b.y + a.z * b.z;
+  const float reach = a.r + b.r;
+  return norm2(a) + norm2(b) - 2.0F * product <= reach * reach;
+}
+
+}  // namespace pair_tests
+
+/// Of tests that are not packed. True for every pair that the test takes for an overlap.
+template <PairTest test>
+OCTOCELL_HD bool may_overlap(const Sphere& a, const Sphere& b) {
+  static_assert(!is_packed(test), "packed spheres have may_overlap() of their own");
+  if constexpr (test == PairTest::f32_sqrt) return pair_tests::within_f32_sqrt(a, b);
+  if constexpr (test == PairTest::f64) return pair_tests::within_f64(a, b);
+  if constexpr (test == PairTest::boxes) return pair_tests::boxes_meet(a, b);
+  if constexpr (test == PairTest::gram) return pair_tests::within_gram(a, b);
+  return band_may_overlap(a, b);  // f32, too: its radii have not grown
+}
+
+/// What is to be said of two that passed. `packing` is that of a packed test.
+template <PairTest test>
+OCTOCELL_HD Verdict verdict_on(const Sphere& a, const Sphere& b, const Packing& packing) {
+  if constexpr (test == PairTest::f16 || test == PairTest::q16) {
+    // Their cells repeat; what is far away was taken for near by them.
+    return are_near(a, b, packing) ? Verdict::overlap : Verdict::apart;
+  }
+  if constexpr (test == PairTest::q16_exact) {
+    if (!band_may_overlap(a, b)) return Verdict::apart;
+    return band_is_sure<Band::safe>(a, b) ? Verdict::overlap : Verdict::doubt;
+  }
+  if constexpr (!has_doubts(test)) return Verdict::overlap;
+  constexpr Band band = test == PairTest::band_safe ? Band::safe : Band::fast;
+  return band_is_sure<band>(a, b) ? Verdict::overlap : Verdict::doubt;
+}
+
+#ifdef __CUDACC__  // `run` may be of the host or of the device, as its caller is
+#define OCTOCELL_CALLS_EITHER _Pragma("nv_exec_check_disable")
+#else
+#define OCTOCELL_CALLS_EITHER
+#endif
+
+/// Calls run.operator()<test>() for the test that a plan has.
+OCTOCELL_CALLS_EITHER
+template <typename Run>
+OCTOCELL_HD decltype(auto) with_pair_test(PairTest test, Run&& run) {
+  switch (test) {
+    case PairTest::band_fast:
+      return run.template operator()<PairTest::band_fast>();
+    case PairTest::band_safe:
+      return run.template operator()<PairTest::band_safe>();
+    case PairTest::band_equal:
+      return run.template operator()<PairTest::band_equal>();
+    case PairTest::f32:
+      return run.template operator()<PairTest::f32>();
+    case PairTest::f32_sqrt:
+      return run.template operator()<PairTest::f32_sqrt>();
+    case PairTest::f64:
+      return run.template operator()<PairTest::f64>();
+    case PairTest::boxes:
+      return run.template operator()<PairTest::boxes>();
+    case PairTest::f16:
+      return run.template operator()<PairTest::f16>();
+    case PairTest::q16:
+      return run.template operator()<PairTest::q16>();
+    case PairTest::q16_exact:
+      return run.template operator()<PairTest::q16_exact>();
+    case PairTest::gram:
+      break;
+  }
+  return run.template operator()<PairTest::gram>();
+}
+
+/// The same where only tests with a band can occur.
+template <typename Run>
+decltype(auto) with_band_test(PairTest test, Run&& run) {
+  if (test == PairTest::band_fast) return run.template operator()<PairTest::band_fast>();
+  if (test == PairTest::band_equal) return run.template operator()<PairTest::band_equal>();
+  return run.template operator()<PairTest::band_safe>();
+}
+
+}  // namespace octocell

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+#include "core/faults.hpp"
+#include "core/host_device.hpp"
+#include "core/sphere.hpp"
+
+namespace octocell {
+
+/// Bit for bit: -0 is not 0, and a NaN is itself. The two halves, compared without a branch.
+OCTOCELL_HD bool same_bits(const Sphere& a, const Sphere& b) {
+  std::uint64_t x[2];
+  std::uint64_t y[2];
+  memcpy(x, &a, sizeof a);
+  memcpy(y, &b, sizeof b);
+  return ((x[0] ^ y[0]) |
+          OCTOCELL_FAULT(frame_ignores_radius, (x[1] ^ y[1]) & 0xffffffffU, x[1] ^ y[1])) == 0;
+}
+
+}  // namespace octocell

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// The spine. These words are file stems, function names, timer labels, JSON keys, report columns
+// and chapter names; tests/layout/test_layout.py keeps it so.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace octocell {
+
+enum class Stage : std::uint8_t {
+  // our backends
+  bounds,
+  cell_ids,
+  sort,
+  cell_index,
+  pair_tests,
+  resolve,
+  // baselines: make the structure from nothing, bring it up to date, ask it for all pairs
+  build,
+  update,
+  query,
+};
+
+inline constexpr std::size_t kStageCount = 9;
+
+inline constexpr std::array<std::string_view, kStageCount> kStageNames = {
+    "bounds", "cell_ids", "sort", "cell_index", "pair_tests", "resolve", "build", "update", "query",
+};
+
+constexpr std::size_t index_of(Stage stage) { return static_cast<std::size_t>(stage); }
+constexpr std::string_view name_of(Stage stage) { return kStageNames[index_of(stage)]; }
+
+}  // namespace octocell

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "harness/engine/memory_guard.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+#include "core/available_memory.hpp"
+#include "core/error.hpp"
+#include "core/planner/planner.hpp"
+
+namespace octocell {
+namespace {
+
+constexpr double kGiB = 1073741824.0;
+double bytes_of(const Capacities& lists, const HostBytes& bytes) {
+  return bytes.per_id * static_cast<double>(lists.ids) +
+         bytes.per_cell * static_cast<double>(lists.cells) +
+         bytes.per_pair * static_cast<double>(lists.doubts + lists.pairs);
+}
+
+/// As long as before, but not longer than `certain` by more than that share.
+std::uint64_t shortened(std::uint64_t room, std::uint64_t certain, double share) {
+  if (room <= certain) return room;
+  return certain + static_cast<std::uint64_t>(share * static_cast<double>(room - certain));
+}
+
+/// The lists of a plan that keeps no pairs.
+Capacities without_pairs(Capacities lists, bool count_only) {
+  if (count_only) lists.doubts = lists.pairs = 0;
+  return lists;
+}
+
+/// `certain`: what is going to be written. `held`: memory of the finder's that it writes to again.
+Plan fitted(Plan plan, const HostBytes& bytes, const Capacities& certain, double held) {
+  const std::optional<double> available = available_bytes();
+  const double wanted = bytes.fixed + bytes_of(plan.capacity, bytes);
+  if (!available || wanted <= *available + held) return plan;
+  const double needed = bytes.fixed + bytes_of(certain, bytes);
+  const double left = *available + held - needed;
+  if (left < 0.0) {
+    throw LimitError(fmt::format(
+        "{} spheres, {} cell ids and {} pairs need {:.1f} GiB, and {:.1f} GiB are available{}",
+        plan.facts.sphere_count, certain.ids, certain.pairs, needed / kGiB,
+        (*available + held) / kGiB,
+        certain.pairs > 0 ? "; counting (--count) needs no memory for pairs" : ""));
+  }
+  const double share = left / (wanted - needed);
+  Capacities& room = plan.capacity;
+  room.ids = shortened(room.ids, certain.ids, share);
+  room.cells = shortened(room.cells, certain.cells, share);
+  room.doubts = shortened(room.doubts, certain.doubts, share);
+  room.pairs = shortened(room.pairs, certain.pairs, share);
+  return plan;
+}
+
+}  // namespace
+
+Plan within_memory(const Plan& plan, const HostBytes& bytes) {
+  constexpr double kUnasked = kGiB / 4.0;  // below, asking would take longer than it is worth
+  if (bytes.fixed + bytes_of(plan.capacity, bytes) < kUnasked) return plan;
+  Capacities certain;
+  if (plan.method == Method::half_shell) certain.ids = plan.capacity.ids;
+  return fitted(plan, bytes, certain, 0.0);
+}
+
+Plan grow_within_memory(const Plan& plan, const HostBytes& bytes, const Counts& found) {
+  const Capacities& room = plan.capacity;
+  const Capacities written = {.ids = std::min(found.ids, room.ids),
+                              .cells = std::min(found.cells, room.cells),
+                              .doubts = std::min(found.doubts, room.doubts),
+                              .pairs = std::min(found.pairs, room.pairs)};
+  const Capacities certain = {
+      .ids = found.ids, .cells = found.cells, .doubts = found.doubts, .pairs = found.pairs};
+  return fitted(grow(plan, found), bytes, without_pairs(certain, plan.count_only),
+                bytes.fixed + bytes_of(without_pairs(written, plan.count_only), bytes));
+}
+
+}  // namespace octocell

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+#include "harness/engine/registry.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "baselines/baselines.hpp"
+#include "core/error.hpp"
+#include "impl_cpu/backend.hpp"
+#include "impl_cuda_custom/backend.hpp"
+#include "impl_thrust/backend.hpp"
+
+namespace octocell {
+namespace {
+
+/// Fitted to the times of impl_cuda_custom's kernels on an H100 (gas, dense and poly, a million
+/// spheres; home_phantom with cells of 1.5 to 6 radii, half_shell with cells of 1 to 2 diameters).
+constexpr Costs kDeviceCosts = {.per_id = 0.042,
+                                .per_id_and_pass = 0.018,
+                                .per_candidate = 0.0037,
+                                .per_run = 15e3,  // more kernels
+                                .per_row = 0.0,
+                                .digit_bits = 10,
+                                .shell = {.per_sphere = 0.09,
+                                          .per_row = 0.0,
+                                          .per_window = 0.004,
+                                          .per_candidate = 0.00075,
+                                          .per_probe = 0.01,
+                                          .per_id = 0.0045,
+                                          .per_pass = 0.006,
+                                          .per_wrapped = 0.05,
+                                          .in_cache = 1.0,
+                                          .near_borders = false,
+                                          .finer_probe = true,
+                                          .sides_per_doubling = 4,
+                                          .most_columns = 1}};
+
+/// impl_thrust is written to be read: a sphere searches its neighbours' rows by halving steps. Its
+/// sort takes four passes, whatever bits the ids have; they are part of per_id and per_sphere.
+constexpr Costs kThrustCosts = {.per_id = 53.0,
+                                .per_id_and_pass = 0.0,
+                                .per_candidate = 0.9,
+                                .per_pair = 1.2,
+                                .per_row = 0.0,
+                                .digit_bits = 8,
+                                .shell = {.per_sphere = 213.0,
+                                          .per_row = 700.0,
+                                          .per_window = 60.0,
+                                          .per_candidate = 2.3,
+                                          .per_probe = 470.0,
+                                          .per_pass = 0.0,
+                                          .in_cache = 1.0,
+                                          .near_borders = false,
+                                          .most_columns = 8}};
+
+/// How many times longer the work of each method takes.
+struct Factors {
+  double home_phantom;
+  double half_shell;
+  double brute_force;
+};
+constexpr Costs times(Costs costs, const Factors& factors) {
+  costs.per_id *= factors.home_phantom;
+  costs.per_id_and_pass *= factors.home_phantom;
+  costs.per_candidate *= factors.home_phantom;
+  costs.per_id_of_one *= factors.home_phantom;
+  costs.per_run *= factors.home_phantom;
+  costs.per_pair *= factors.brute_force;
+  costs.per_row *= factors.brute_force;
+  ShellCosts& shell = costs.shell;
+  for (double* cost : {&shell.per_sphere, &shell.per_row, &shell.per_window, &shell.per_candidate,
+                       &shell.per_probe, &shell.per_id, &shell.per_pass, &shell.per_wrapped}) {
+    *cost *= factors.half_shell;
+  }
+  return costs;
+}
+
+/// Thrust's kernels take longer than ours, most of all those that search for rows: on the same
+/// machine, a hundred to a million spheres. Its sort takes four passes there, too; it allocates,
+/// and waits, which brute_force does not; and all cells that a sphere meets are one thread's work.
+constexpr Costs with_kernels_of_thrust(Costs costs) {
+  constexpr int kPasses = 4;
+  costs.digit_bits = 8;
+  costs.per_id += kPasses * costs.per_id_and_pass;
+  costs.shell.per_sphere += kPasses * costs.shell.per_pass;
+  costs.per_id_and_pass = costs.shell.per_pass = 0.0;
+  costs = times(costs, {.home_phantom = 1.56, .half_shell = 3.6, .brute_force = 0.35});
+  costs.per_id_of_one = 100.0;
+  costs.per_grid = 150e3;
+  costs.per_run = -20e3;  // it looks for no rows
+  return costs;
+}
+constexpr Costs kThrustDeviceCosts = with_kernels_of_thrust(kDeviceCosts);
+
+constexpr std::array kAllPredicates = {
+    Predicate::exact,    Predicate::f32,       Predicate::f32_sqrt,
+    Predicate::f64,      Predicate::aabb_only, Predicate::f16_cell,
+    Predicate::q16_cell, Predicate::q16_exact, Predicate::gram_f32};
+constexpr std::span<const Predicate> kPlainPredicates = std::span(kAllPredicates).first<4>();
+
+/// Devices, and Thrust, read a radius with its coordinates anyway; their sorts are queued with all
+/// passes before anybody knows a digit, and Thrust's with passes over all bits of a word.
+constexpr Skips kThrustSkips = Skips::all()
+                                   .without(Skip::key_bits)
+                                   .without(Skip::equal_radii)
+                                   .without(Skip::passes)
+                                   .without(Skip::unchanged)
+                                   .without(Skip::few_movers)
+                                   .without(Skip::skin);
+/// To learn whether ids come in order, the host would have to wait: a fifteenth of every search.
+constexpr Skips kThrustDeviceSkips = kThrustSkips.without(Skip::sort);
+constexpr Skips kCudaSkips =
+    Skips::all().without(Skip::equal_radii).without(Skip::passes).without(Skip::few_movers);
+
+constexpr std::array kAllMethods = {Method::home_phantom, Method::half_shell, Method::brute_force};
+
+std::optional<std::string> always_available() { return std::nullopt; }
+
+constexpr BackendInfo baseline(std::string_view name, std::string_view summary,
+                               std::unique_ptr<PairFinder> (*create)(),
+                               std::string_view known_faults = {}) {
+  return {.name = name,
+          .kind = Kind::baseline,
+          .summary = summary,
+          .methods = {},
+          .predicates = {},
+          .threaded = false,
+          .why_unavailable = always_available,
+          .create = create,
+          .known_faults = known_faults};
+}
+
+constexpr std::string_view kTouchingBoxesLost =
+    "ends of boxes are sorted by position only, so boxes that just touch can be taken for apart";
+constexpr std::string_view kHalfOpenCells =
+    "cells lack their upper border, so boxes that touch there share none";
+
+constexpr std::array kBackends = {
+    BackendInfo{.name = "impl_cpu",
+                .kind = Kind::backend,
+                .summary = "uniform grid and radix sort on CPU threads",
+                .methods = kAllMethods,
+                .predicates = kAllPredicates,
+                .threaded = true,
+                .why_unavailable = always_available,
+                .create = cpu::make_backend},
+    BackendInfo{.name = "impl_thrust",
+                .kind = Kind::backend,
+                .summary = on_thrust::kHostSummary,
+                .methods = kAllMethods,
+                .predicates = kPlainPredicates,
+                .skips = kThrustSkips,
+                .threaded = on_thrust::kHostThreaded,
+                .why_unavailable = always_available,
+                .create = on_thrust::make_host_backend,
+                .costs = kThrustCosts},
+    BackendInfo{.name = "impl_thrust_cuda",
+                .kind = Kind::backend,
+                .summary = on_thrust::kCudaSummary,
+                .methods = kAllMethods,
+                .predicates = kPlainPredicates,
+                .skips = kThrustDeviceSkips,
+                .threaded = false,
+                .why_unavailable = on_thrust::why_no_cuda,
+                .create = on_thrust::make_cuda_backend,
+                .device = true,
+                .costs = kThrustDeviceCosts},
+    BackendInfo{.name = "impl_cuda_custom",
+                .kind = Kind::backend,
+                .summary = "uniform grid and radix sort, kernels of our own (CUDA)",
+                .methods = kAllMethods,
+                .predicates = kAllPredicates,
+                .skips = kCudaSkips,
+                .threaded = false,
+                .why_unavailable = cuda_custom::why_unavailable,
+                .create = cuda_custom::make_backend,
+                .device = true,
+                .has_device_runs = true,
+                .costs = kDeviceCosts},
+    baseline("fcl_dynamic_aabb_tree", "FCL DynamicAABBTree, as it comes",
+             baselines::make_fcl_dynamic_aabb_tree),
+    baseline("fcl_dynamic_aabb_tree_morton", "FCL DynamicAABBTree, tree_init_level = 1",
+             baselines::make_fcl_dynamic_aabb_tree_morton),
+    baseline("fcl_dynamic_aabb_tree_array", "FCL DynamicAABBTree_Array, as it comes",
+             baselines::make_fcl_dynamic_aabb_tree_array),
+    baseline("fcl_dynamic_aabb_tree_array_morton", "FCL DynamicAABBTree_Array, tree_init_level = 1",
+             baselines::make_fcl_dynamic_aabb_tree_array_morton),
+    baseline("fcl_sap", "FCL SaP: end points kept sorted, a list of pairs", baselines::make_fcl_sap,
+             kTouchingBoxesLost),
+    baseline("fcl_ssap", "FCL SSaP: sort and sweep at every query", baselines::make_fcl_ssap),
+    baseline("fcl_interval_tree", "FCL IntervalTree: a sweep, and three trees",
+             baselines::make_fcl_interval_tree, kTouchingBoxesLost),
+    baseline("fcl_spatial_hashing", "FCL SpatialHashing, cells of two greatest radii",
+             baselines::make_fcl_spatial_hashing, kHalfOpenCells),
+    baseline("fcl_naive", "FCL Naive: all pairs of boxes", baselines::make_fcl_naive),
+    baseline("bullet_dbvt_broadphase", "Bullet btDbvtBroadphase, as it comes",
+             baselines::make_bullet_dbvt_broadphase),
+    baseline("bullet_dbvt_broadphase_deferred", "Bullet btDbvtBroadphase, m_deferedcollide",
+             baselines::make_bullet_dbvt_broadphase_deferred),
+    baseline("bullet_dbvt", "Bullet's bare btDbvt tree, joined with itself",
+             baselines::make_bullet_dbvt),
+    baseline("bullet_axis_sweep", "Bullet btAxisSweep3, in 16 bits",
+             baselines::make_bullet_axis_sweep),
+    baseline("bullet_axis_sweep_32", "Bullet bt32BitAxisSweep3",
+             baselines::make_bullet_axis_sweep_32),
+    baseline("bullet_simple", "Bullet btSimpleBroadphase: all pairs of boxes",
+             baselines::make_bullet_simple),
+};
+
+}  // namespace
+
+std::span<const BackendInfo> backends() { return kBackends; }
+
+const BackendInfo& backend_named(std::string_view name) {
+  const auto found = std::ranges::find(kBackends, name, &BackendInfo::name);
+  if (found != kBackends.end()) return *found;
+  std::vector<std::string_view> names;
+  for (const BackendInfo& b : kBackends) names.push_back(b.name);
+  throw InputError(fmt::format("unknown backend '{}'; known: {}", name, fmt::join(names, ", ")));
+}
+
+PlanOptions Implementation::plan_options(int threads) const {
+  return {.method = method,
+          .rule = rule,
+          .predicate = predicate,
+          .threads = threads,
+          .known = backend->skips,
+          .allowed = backend->skips,
+          .buffers_only = is_baseline(),
+          .costs = backend->costs};
+}
+
+std::string Implementation::label() const {
+  if (is_baseline()) return std::string(backend->name);
+  std::string words = fmt::format("{} {}", backend->name, method_name());
+  if (has_rule()) words += fmt::format(" {}", name_of(rule));
+  if (predicate != Predicate::exact) words += fmt::format(" {}", name_of(predicate));
+  return words;
+}
+
+std::vector<Implementation> implementations(std::string_view backend) {
+  std::vector<Implementation> list;
+  if (backend != "all") backend_named(backend);  // an unknown name is an error
+  for (const BackendInfo& b : kBackends) {
+    if (backend != "all" && backend != b.name) continue;
+    list.push_back({.backend = &b});
+    for (const Method method : b.methods) {
+      if (method != Method::home_phantom) {
+        list.push_back({.backend = &b, .method = method});
+        continue;
+      }
+      for (const Rule rule : {Rule::lowest_cell, Rule::chapter32, Rule::as_written}) {
+        list.push_back({.backend = &b, .method = method, .rule = rule});
+      }
+    }
+  }
+  return list;
+}
+
+std::vector<Implementation> other_predicates(std::string_view backend) {
+  std::vector<Implementation> list;
+  if (backend != "all") backend_named(backend);
+  for (const BackendInfo& b : kBackends) {
+    if (backend != "all" && backend != b.name) continue;
+    for (const Predicate predicate : b.predicates) {
+      if (predicate != Predicate::exact) list.push_back({.backend = &b, .predicate = predicate});
+    }
+  }
+  return list;
+}
+
+}  // namespace octocell

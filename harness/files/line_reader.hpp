@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The lines of a text file, one at a time: a file may be larger than memory.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "harness/files/input_file.hpp"
+
+namespace octocell {
+
+class LineReader {
+ public:
+  /// Longer lines are refused: they are no table of numbers.
+  static constexpr std::size_t kLongestLine = std::size_t{1} << 20;
+
+  explicit LineReader(InputFile& file);
+
+  /// Returns the next line without its end, or nothing after the last. It stays valid until the
+  /// next call. Throws InputError.
+  std::optional<std::string_view> next();
+
+  [[nodiscard]] std::size_t number() const { return number_; }  // of the last line; the first is 1
+
+ private:
+  [[nodiscard]] std::size_t end_of_line() const { return buffer_.find('\n', begin_); }
+  void read_more();
+
+  InputFile& file_;
+  std::uint64_t unread_;
+  std::string buffer_;
+  std::size_t begin_ = 0;  // of the next line in the buffer
+  std::size_t number_ = 0;
+};
+
+}  // namespace octocell

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// float32 numbers as the integers they are, for GMP.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <cmath>
+
+#include "core/sphere.hpp"
+
+namespace octocell::reference {
+
+/// Every finite float32 is an integer multiple of 2^-149, and at most 2^277 of them: exact here.
+inline mpz_class exactly(float value) {
+  return mpz_class(std::ldexp(static_cast<double>(value), 149));
+}
+
+/// Both sides of the question, in units of 2^-149 and of 2^-298.
+struct Sides {
+  mpz_class reach;      // r_p + r_q
+  mpz_class distance2;  // |p - q|^2
+};
+
+inline Sides sides_of(const Sphere& a, const Sphere& b) {
+  const mpz_class dx = exactly(a.x) - exactly(b.x);
+  const mpz_class dy = exactly(a.y) - exactly(b.y);
+  const mpz_class dz = exactly(a.z) - exactly(b.z);
+  return {exactly(a.r) + exactly(b.r), dx * dx + dy * dy + dz * dz};
+}
+
+}  // namespace octocell::reference

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// What is right: the exact pair set, by two methods that share no code with the backends.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/pair.hpp"
+#include "core/sphere.hpp"
+#include "harness/scenes/scene.hpp"
+
+namespace octocell::reference {
+
+/// |p - q|^2 <= (r_p + r_q)^2 over the reals, for finite spheres with r >= 0:
+/// float64 where it is certain by a wide margin, else integers (GMP) in units of 2^-149.
+bool overlap(const Sphere& a, const Sphere& b);
+
+/// The same for float64 spheres, as a file may hold them before they are rounded.
+bool overlap(const DoubleSphere& a, const DoubleSphere& b);
+
+/// Do the flags let the two collide? Not both static, and each in a group of the other's mask.
+bool allowed(Flags a, Flags b);
+
+/// One flag word a sphere; none: every pair that overlaps is in the set.
+using AllFlags = std::span<const Flags>;
+
+/// Every pair tested: O(n^2). Sorted, i < j.
+std::vector<Pair> brute_force(std::span<const Sphere> spheres, AllFlags flags = {});
+
+/// A tree of float64 boxes, split at medians, joined with itself: for large scenes. Sorted, i < j.
+std::vector<Pair> box_tree(std::span<const Sphere> spheres, AllFlags flags = {});
+std::vector<Pair> box_tree(std::span<const DoubleSphere> spheres, AllFlags flags = {});
+
+/// The exact pair set by the method that suits the size.
+std::vector<Pair> exact_pairs(std::span<const Sphere> spheres, AllFlags flags = {});
+inline std::vector<Pair> exact_pairs(const Scene& scene) {
+  return exact_pairs(scene.spheres, scene.flags);
+}
+
+/// r_p + r_q - |p - q|, rounded correctly to float32: the nearest, of two as near the even one.
+/// For finite spheres with r >= 0; negative where they are apart.
+float depth(const Sphere& a, const Sphere& b);
+
+/// How far `claimed` is from the depth over the reals, in units in the last place of a float32 of
+/// that size: at most 0.5 if it was rounded correctly. Beyond float32, infinity is right (0).
+double depth_error_ulp(float claimed, const Sphere& a, const Sphere& b);
+
+/// The depth over the reals divided by r_p + r_q, to 1e-15 of itself however near to contact; the
+/// least float64 for two points (r = 0) that are apart.
+double relative_depth(const Sphere& a, const Sphere& b);
+
+/// Errors of the depths of many pairs; zeros if there are none. Quantiles are values that occur.
+struct DepthErrors {
+  double median_ulp = 0.0;
+  double p99_ulp = 0.0;
+  double max_ulp = 0.0;
+  std::uint64_t not_nearest = 0;  // that are not the correctly rounded depth
+};
+DepthErrors depth_errors(std::span<const float> depths, std::span<const Pair> pairs,
+                         std::span<const Sphere> spheres);
+
+/// How an answer differs from the truth.
+struct Comparison {
+  std::uint64_t missed = 0;       // in the truth, not in the answer
+  std::uint64_t false_pairs = 0;  // in the answer, not in the truth
+  std::uint64_t duplicates = 0;   // reported again
+  /// By how much of r_p + r_q the deepest missed pair overlaps (0: it only touches), and the
+  /// farthest false pair is apart. None if there is no such pair, or if no spheres were given.
+  std::optional<double> worst_missed_depth = {};
+  std::optional<double> worst_false_gap = {};
+  [[nodiscard]] bool only_missed() const { return false_pairs == 0 && duplicates == 0; }
+  [[nodiscard]] bool exact() const { return missed == 0 && only_missed(); }
+};
+
+/// Both sorted; the truth without duplicates. `spheres` are those that the pairs are of.
+Comparison compare(std::span<const Pair> answer, std::span<const Pair> truth,
+                   std::span<const Sphere> spheres = {});
+
+/// What rounding a scene to float32 did to the exact pair set.
+struct RoundingEffect {
+  std::uint64_t lost = 0;
+  std::uint64_t gained = 0;
+};
+RoundingEffect rounding_effect(std::span<const DoubleSphere> unrounded, AllFlags flags,
+                               std::span<const Pair> pairs_of_rounded);
+
+}  // namespace octocell::reference

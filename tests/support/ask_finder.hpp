@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// What tests of one finder ask, and with how much room.
+#pragma once
+
+#include <vector>
+
+#include "core/finder.hpp"
+#include "core/planner/planner.hpp"
+#include "harness/scenes/scenes.hpp"
+
+namespace octocell {
+
+struct Answer {
+  Counts counts;
+  PairDigest digest;
+  std::vector<Pair> pairs;
+};
+
+inline Answer ask(PairFinder& finder, const Plan& plan, SceneView scene) {
+  HostClock clock;
+  finder.upload(plan, scene);
+  finder.find_pairs(clock);
+  return {finder.counts(), finder.digest(), finder.download()};
+}
+
+inline Plan roomy_plan(const Scene& scene, const PlanOptions& options) {
+  Plan plan = make_plan(measure(scene.view()), options);
+  plan.capacity.ids = plan.capacity.ids * 2 + 4096;
+  plan.capacity.cells = plan.capacity.ids;
+  plan.capacity.pairs = plan.capacity.doubts = 40 * scene.spheres.size() + 64;
+  return plan;
+}
+
+/// Repeats with larger buffers, as the driver does.
+inline Answer ask_until_it_fits(PairFinder& finder, Plan plan, SceneView scene) {
+  Answer answer = ask(finder, plan, scene);
+  while (!fits(answer.counts, plan.capacity, plan.count_only)) {
+    plan = grow(plan, answer.counts);
+    answer = ask(finder, plan, scene);
+  }
+  return answer;
+}
+
+}  // namespace octocell

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// The rules by which impl_cuda_custom takes over from the last frame, without a device: a model
+// that looks at spheres one by one, as the kernels do, and lists near pairs by the reference.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "core/plan.hpp"
+#include "harness/verify/reference/reference.hpp"
+#include "impl_cuda_custom/coherence/rules.hpp"
+#include "tests/support/frame_sequences.hpp"
+
+namespace octocell::cuda_custom::coherence {
+namespace {
+
+/// What the device holds, and what a frame does with it.
+class Model {
+ public:
+  Model(const Allowed& allowed, float growth, double static_share)
+      : allowed_(allowed), growth_(growth), static_share_(static_share) {}
+
+  Course play(const Spheres& now) {
+    if (now.size() != before_.size()) start_anew(now);
+    const Trial trial = trial_of(kept_, true, allowed_);
+    Kept seen = kept_;
+    std::uint32_t found = 0;
+    for (std::size_t i = 0; i < now.size(); ++i) found |= look_at(trial, now[i], i);
+    seen.still_now = std::ranges::equal(now, before_, same_bits) ? kSampled : 0;
+    const Course course = course_of(trial, found);
+    kept_ = after(seen, trial, course, allowed_, growth_);
+    answer(now, course);
+    before_ = now;
+    return course;
+  }
+  [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
+  [[nodiscard]] std::vector<Pair> truth(const Spheres& spheres) const {
+    return reference::exact_pairs(spheres, flags_);
+  }
+
+ private:
+  void start_anew(const Spheres& now) {
+    kept_ = {};
+    copy_ = searched_ = before_ = Spheres(now.size());
+    flags_ = flags_of(now.size(), static_share_, 11);
+  }
+
+  std::uint32_t look_at(const Trial& trial, const Sphere& now, std::size_t i) {
+    if (trial.keep) copy_[i] = now;
+    if (trial.compare && same_bits(now, copy_[i])) return 0;
+    if (!trial.skin) return kDiffers;
+    const float growth = growth_of(flags(), static_cast<std::uint32_t>(i), kept_.growth);
+    const Verdict verdict = within_skin(searched_[i], now, growth);
+    if (growth == 0.0F) {
+      EXPECT_EQ(verdict == Verdict::overlap, same_bits(searched_[i], now));
+      return verdict == Verdict::overlap ? kDiffers : kDiffers | kLeft;
+    }
+    const Step step = step_of(searched_[i], now, growth);
+    const bool truth =
+        reference::overlap(step.ball, step.point) && bits_of(searched_[i].r) == bits_of(now.r);
+    if (verdict != Verdict::doubt) {
+      EXPECT_EQ(verdict == Verdict::overlap, truth);
+    }
+    return truth ? kDiffers : kDiffers | kLeft;
+  }
+
+  void answer(const Spheres& now, Course course) {
+    if (course == Course::search) {
+      pairs_ = truth(now);
+      searched_ = now;
+      if (kept_.list_made != 0) list_near_pairs(now);
+    }
+    if (course != Course::near_pairs) return;
+    pairs_.clear();
+    for (const Pair& pair : near_) {
+      if (reference::overlap(now[pair.i], now[pair.j])) pairs_.push_back(pair);
+    }
+  }
+
+  void list_near_pairs(Spheres grown) {
+    for (std::uint32_t i = 0; i < grown.size(); ++i) {
+      grown[i].r = radius_in_search(grown[i], flags(), i, growth_);
+    }
+    near_ = truth(grown);
+    kept_.near_pairs = near_.size();
+  }
+
+  [[nodiscard]] const Flags* flags() const { return flags_.empty() ? nullptr : flags_.data(); }
+
+  Allowed allowed_;
+  float growth_;
+  double static_share_;
+  AllFlags flags_;
+  Kept kept_ = {};
+  Spheres before_;
+  Spheres copy_;
+  Spheres searched_;
+  std::vector<Pair> near_;
+  std::vector<Pair> pairs_;
+};
+
+class SharesOfStatic : public testing::TestWithParam<double> {};
+
+TEST_P(SharesOfStatic, TakeOverOnlyWhatIsProved) {
+  constexpr std::uint64_t kRoom = 1'000'000;
+  const Allowed choices[] = {
+      {true, true, kRoom}, {true, false, 0}, {false, true, kRoom}, {true, true, 2000}};
+  int served[4] = {};
+  for (const Sequence& sequence : sequences()) {
+    for (const Allowed& allowed : choices) {
+      Model model(allowed, 0.05F, GetParam());
+      for (std::size_t f = 0; f < sequence.frames.size(); ++f) {
+        const Course course = model.play(sequence.frames[f]);
+        ++served[static_cast<std::size_t>(course)];
+        ASSERT_EQ(model.pairs(), model.truth(sequence.frames[f]))
+            << sequence.name << ", frame " << f;
+        ASSERT_TRUE(course != Course::unchanged || allowed.unchanged);
+        ASSERT_TRUE(course != Course::near_pairs || allowed.near_pairs);
+      }
+    }
+  }
+  EXPECT_GT(served[static_cast<std::size_t>(Course::unchanged)], 20);
+  EXPECT_GT(served[static_cast<std::size_t>(Course::near_pairs)], GetParam() > 0.0 ? 50 : 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(CoherenceRules, SharesOfStatic, testing::Values(-1.0, 0.0, 0.9));
+
+constexpr Allowed kAll = {true, true, 100};
+Kept all_kept() {
+  Kept kept = {};
+  kept.frames = 7;
+  kept.copy_holds = kept.list_made = 1;
+  kept.growth = 0.5F;
+  kept.near_pairs = 100;
+  return kept;
+}
+
+TEST(CoherenceRules, AFrameThatFailedIsNoGround) {
+  const Trial trial = trial_of(all_kept(), false, kAll);
+  EXPECT_FALSE(trial.compare || trial.skin);
+  EXPECT_EQ(course_of(trial, 0), Course::search);
+}
+
+TEST(CoherenceRules, AListThatIsTooShortIsNoGround) {
+  Kept kept = all_kept();
+  EXPECT_TRUE(trial_of(kept, true, kAll).skin);
+  ++kept.near_pairs;
+  EXPECT_FALSE(trial_of(kept, true, kAll).skin);
+}
+
+TEST(CoherenceRules, NothingIsTriedThatIsForbiddenOrUnknown) {
+  const Trial forbidden = trial_of(all_kept(), true, {});
+  EXPECT_FALSE(forbidden.compare || forbidden.skin || forbidden.keep);
+  const Trial unknown = trial_of({}, true, kAll);
+  EXPECT_FALSE(unknown.compare || unknown.skin);
+  EXPECT_TRUE(unknown.keep);
+}
+
+TEST(CoherenceRules, ACopyIsMadeOnceNothingMoves) {
+  Kept kept = all_kept();
+  kept.copy_holds = 0;
+  EXPECT_FALSE(trial_of(kept, true, kAll).keep);
+  kept.still = kSampled;
+  EXPECT_TRUE(trial_of(kept, true, kAll).keep);
+}
+
+TEST(CoherenceRules, WhatIsSeenDecidesTheCourse) {
+  const Trial trial = trial_of(all_kept(), true, kAll);
+  EXPECT_EQ(course_of(trial, 0), Course::unchanged);
+  EXPECT_EQ(course_of(trial, kDiffers), Course::near_pairs);
+  EXPECT_EQ(course_of(trial, kDiffers | kLeft), Course::search);
+}
+
+TEST(CoherenceRules, AZeroOfAnotherSignIsAnotherSphere) {
+  EXPECT_FALSE(same_bits({0.0F, 0, 0, 1}, {-0.0F, 0, 0, 1}));
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_TRUE(same_bits({nan, 0, 0, 1}, {nan, 0, 0, 1}));
+}
+
+TEST(CoherenceRules, AnotherRadiusLeavesAnySkin) {
+  EXPECT_EQ(within_skin({0, 0, 0, 1}, {0, 0, 0, 1}, 0.1F), Verdict::overlap);
+  EXPECT_EQ(within_skin({0, 0, 0, 1}, {0, 0, 0, std::nextafter(1.0F, 0.0F)}, 0.1F), Verdict::apart);
+  EXPECT_EQ(within_skin({0, 0, 0, 1}, {0.2F, 0, 0, 1}, 0.1F), Verdict::apart);
+  EXPECT_EQ(within_skin({0, 0, 0, 1}, {0.1F, 0, 0, 1}, 0.1F), Verdict::doubt);
+}
+
+TEST(CoherenceRules, StaticSpheresDoNotGrowAndMustStand) {
+  const Flags flags[] = {make_flags(true, 1, kMaxMask), make_flags(false, 1, kMaxMask)};
+  const Sphere s = {0, 0, 0, 1};
+  EXPECT_EQ(radius_in_search(s, flags, 0, 0.5F), 1.0F);
+  EXPECT_GE(radius_in_search(s, flags, 1, 0.5F), 1.5F);
+  EXPECT_GE(radius_in_search(s, nullptr, 0, 0.5F), 1.5F);
+  EXPECT_EQ(radius_in_search(s, flags, 1, 0.0F), 1.0F);
+  EXPECT_EQ(within_skin(s, s, growth_of(flags, 0, 0.5F)), Verdict::overlap);
+  EXPECT_EQ(within_skin(s, {0x1p-149F, 0, 0, 1}, growth_of(flags, 0, 0.5F)), Verdict::apart);
+  EXPECT_EQ(within_skin(s, {0x1p-149F, 0, 0, 1}, growth_of(flags, 1, 0.5F)), Verdict::overlap);
+}
+
+}  // namespace
+}  // namespace octocell::cuda_custom::coherence
