@@ -44,7 +44,7 @@ build-tests: configure ## Build the tests, too
 test: build-tests ## Run all tests
 	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j "$$(nproc)"
 	@for page in $(PAGES); do $(PYTHON) -m octocell_report readme $(PUBLISHED) $$page --check || exit 1; done
-	@$(PYTHON) -m octocell_report promise docs/promise.md --check
+	@$(PYTHON) -m octocell_report guarantee docs/guarantee.md --check
 	@OCTOCELL_BIN=$(BUILD)/octocell $(PYTHON) -m pytest -q
 
 stress: build ## Every implementation on the scenes of the stress catalogue (minutes), and the compilers
@@ -98,7 +98,7 @@ report: setup ## Draw plots and the page again from RESULT (default reports/out/
 
 readme: setup ## Write the tables of README and docs from the published results
 	@for page in $(PAGES); do $(PYTHON) -m octocell_report readme $(PUBLISHED) $$page || exit 1; done
-	@$(PYTHON) -m octocell_report promise docs/promise.md
+	@$(PYTHON) -m octocell_report guarantee docs/guarantee.md
 
 sanitize: setup ## Build and test with ASan + UBSan, then with TSan
 	@for kind in asan tsan; do \

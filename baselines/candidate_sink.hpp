@@ -77,11 +77,11 @@ class CandidateSink {
   }
 
  private:
-  // The safe band holds for every scene, and a few candidates per sphere do not show the
+  // The safe filter holds for every scene, and a few candidates per sphere do not show the
   // difference; for the same reason radii are grown here instead of in a copy of the scene.
   bool overlap(const Sphere& a, const Sphere& b) {
-    const Verdict verdict = band_verdict<Band::safe>(a, b);
-    return verdict == Verdict::doubt ? overlap_exact(a, b) : verdict == Verdict::overlap;
+    const Verdict verdict = filter_verdict<Filter::safe>(a, b);
+    return verdict == Verdict::uncertain ? overlap_exact(a, b) : verdict == Verdict::overlap;
   }
 
   void keep(Pair pair) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rule as_written: the course text that started this project, to the letter. An exhibit: it loses
-// pairs (docs/stages/2_cell_ids.md shows which and why), and the same ones on every backend.
+// Rule as_written: the course text that started this project, to the letter. A negative control: it
+// loses pairs (docs/stages/2_cell_ids.md shows which and why), and the same ones on every backend.
 //
 // Where the text leaves a choice, this one is pinned: cells of 1.5 r_max; coordinates truncated to
 // unsigned, negative ones saturating at 0; ids of 10-bit fields joined with OR; neighbours in

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rule chapter32: GPU Gems 3, chapter 32 (Le Grand), with boxes instead of balls.
 //
-// Spheres are scaled by sqrt 2, so that of two that overlap, at least one reaches the other's home
+// Spheres are scaled by sqrt 2, so that of two that overlap, at least one extents the other's home
 // cell; cells are 1.5 scaled diameters wide, so that parity tells neighbours apart where it must.
 // A pair is tested in a cell that is home to one of the two, once (docs/exactness.md, claim C).
 #pragma once
@@ -17,8 +17,8 @@ inline constexpr float kScale = 0x1.6a09eap0F;  // the next float but one above 
                                                 // fl(kScale * r) >= sqrt 2 * r over the reals
                                                 // (subnormal r: docs/exactness.md, claim C)
 
-OCTOCELL_HD float reach(float r) {
-  return r * OCTOCELL_FAULT(chapter32_reach_rounded_down, 0x1.6a09e6p0F, kScale);
+OCTOCELL_HD float extent(float r) {
+  return r * OCTOCELL_FAULT(chapter32_extent_rounded_down, 0x1.6a09e6p0F, kScale);
 }
 
 /// 3 sqrt 2 r_max, rounded up.

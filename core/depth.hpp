@@ -26,10 +26,10 @@ inline constexpr double kClearDifference = 0x1p-8;
 /// s^2 - D from integers: seventeen roundings of 2^-53, whatever cancels. Limbs are subtracted
 /// from the highest on; as long as they cancel, the sum is a whole number that float64 holds.
 OCTOCELL_HD double integer_difference(const Sphere& a, const Sphere& b) {
-  const auto [distance2, reach2] = integer_sides(a, b);
+  const auto [distance2, radius_sum2] = integer_sides(a, b);
   double sum = 0.0;
   for (int i = 2 * kLimbs - 1; i >= 0; --i) {
-    const std::int64_t limb = std::int64_t{reach2.limb[i]} - std::int64_t{distance2.limb[i]};
+    const std::int64_t limb = std::int64_t{radius_sum2.limb[i]} - std::int64_t{distance2.limb[i]};
     sum = sum * 0x1p32 + static_cast<double>(limb);
   }
   return sum * 0x1p-298;
@@ -41,12 +41,12 @@ OCTOCELL_HD double integer_difference(const Sphere& a, const Sphere& b) {
 /// are apart, infinite where no float32 is that large. In the scene's unit of length.
 OCTOCELL_HD float penetration_depth(const Sphere& a, const Sphere& b) {
   const exact::Float64Test<double> test(a.x, a.y, a.z, a.r, b.x, b.y, b.z, b.r);
-  double difference = test.reach2 - test.distance2;
+  double difference = test.radius_sum2 - test.distance2;
   const bool clear =
-      std::fabs(difference) > exact::kClearDifference * (test.reach2 + test.distance2);
+      std::fabs(difference) > exact::kClearDifference * (test.radius_sum2 + test.distance2);
   if (!clear && test.rounding != 0.0) difference = exact::integer_difference(a, b);
   if (difference == 0.0) return 0.0F;  // they touch, or are one and the same point
-  return static_cast<float>(difference / (test.reach + std::sqrt(test.distance2)));
+  return static_cast<float>(difference / (test.radius_sum + std::sqrt(test.distance2)));
 }
 
 /// Of each pair, in their order.

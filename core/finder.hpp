@@ -34,7 +34,7 @@ struct HostBytes {
   double fixed = 0.0;   // in every run
   double per_id = 0.0;  // of Capacities
   double per_cell = 0.0;
-  double per_pair = 0.0;  // or doubt
+  double per_pair = 0.0;  // or uncertain pair
 };
 
 /// Calls come in this order: upload, find_pairs (any number of times), counts, then download or
@@ -95,7 +95,7 @@ class GridPairFinder : public PairFinder {
     const bool fused = bounds_with_cell_ids() && runs(Stage::cell_ids);
     if (!fused) clock.mark(Stage::bounds);
     run_stages(clock, fused ? Stage::bounds : Stage::cell_ids);
-    if (supposed_wrongly()) run_stages(clock, Stage::cell_ids);
+    if (mispredicted()) run_stages(clock, Stage::cell_ids);
   }
 
  protected:
@@ -104,7 +104,7 @@ class GridPairFinder : public PairFinder {
   [[nodiscard]] virtual bool nothing_to_find() const = 0;
   /// True if cell_ids() checks what bounds() would, in its one reading of the spheres.
   [[nodiscard]] virtual bool bounds_with_cell_ids() const { return false; }
-  /// Asked after bounds(), which may have found, or supposed, that there is nothing to do.
+  /// Asked after bounds(), which may have found, or predicted, that there is nothing to do.
   [[nodiscard]] virtual bool runs(Stage stage) const {
     if (nothing_to_find()) return false;
     const bool is_grids = stage >= Stage::cell_ids && stage <= Stage::cell_index;
@@ -117,7 +117,7 @@ class GridPairFinder : public PairFinder {
   virtual void pair_tests() = 0;
   virtual void resolve() = 0;
   /// Asked at the end. True: a stage was left out that is needed, and runs() knows it by now.
-  virtual bool supposed_wrongly() { return false; }
+  virtual bool mispredicted() { return false; }
 
  private:
   /// Those after bounds(). `first`: of the stages whose time ends with cell_ids().

@@ -83,7 +83,7 @@ OCTOCELL_HD Cell cell_of(const Grid& grid, float x, float y, float z) {
   return {cell_coordinate(grid, 0, x), cell_coordinate(grid, 1, y), cell_coordinate(grid, 2, z)};
 }
 
-/// The cells that a sphere's box meets: lowest and highest, inclusive. `reach` is r, or more.
+/// The cells that a sphere's box meets: lowest and highest, inclusive. `extent` is r, or more.
 struct CellRange {
   Cell lowest;
   Cell highest;
@@ -96,9 +96,9 @@ OCTOCELL_HD std::uint64_t phantoms_in(const CellRange& met) {
          1;
 }
 
-OCTOCELL_HD CellRange cells_met(const Grid& grid, const Sphere& s, float reach) {
-  return {cell_of(grid, s.x - reach, s.y - reach, s.z - reach),
-          cell_of(grid, s.x + reach, s.y + reach, s.z + reach)};
+OCTOCELL_HD CellRange cells_met(const Grid& grid, const Sphere& s, float extent) {
+  return {cell_of(grid, s.x - extent, s.y - extent, s.z - extent),
+          cell_of(grid, s.x + extent, s.y + extent, s.z + extent)};
 }
 
 }  // namespace octocell

@@ -75,11 +75,12 @@ OCTOCELL_HD std::int32_t least_distance(std::uint16_t a, std::uint16_t b) {
 }
 
 /// Three squares of at most 2^30, in 32 bits without a sign.
-OCTOCELL_HD bool within(std::int32_t dx, std::int32_t dy, std::int32_t dz, std::int32_t reach) {
+OCTOCELL_HD bool within(std::int32_t dx, std::int32_t dy, std::int32_t dz,
+                        std::int32_t radius_sum) {
   const auto square = [](std::int32_t v) {
     return static_cast<std::uint32_t>(v) * static_cast<std::uint32_t>(v);
   };
-  return square(dx) + square(dy) + square(dz) <= square(reach);
+  return square(dx) + square(dy) + square(dz) <= square(radius_sum);
 }
 
 OCTOCELL_HD bool may_overlap(const PackedSphere& a, const PackedSphere& b) {
@@ -146,8 +147,8 @@ OCTOCELL_HD bool may_overlap(const PackedSphere& a, const PackedSphere& b) {
   const float dx = difference(to_float(a.x), to_float(b.x));
   const float dy = difference(to_float(a.y), to_float(b.y));
   const float dz = difference(to_float(a.z), to_float(b.z));
-  const float reach = to_float(a.r) + to_float(b.r);
-  return dx * dx + dy * dy + dz * dz <= reach * reach;
+  const float radius_sum = to_float(a.r) + to_float(b.r);
+  return dx * dx + dy * dy + dz * dz <= radius_sum * radius_sum;
 }
 
 }  // namespace f16

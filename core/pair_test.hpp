@@ -2,7 +2,7 @@
 // How stage 5 looks at two spheres: the one place where a precision mode is chosen.
 //
 // A test has two steps. may_overlap() sees every candidate, so it decides what a candidate costs;
-// verdict_on() sees the few that pass, and says overlap, apart, or doubt, which is for stage 6.
+// verdict_on() sees the few that pass, and says overlap, apart, or uncertain, which is for stage 6.
 // The predicate is what a user asks for; a plan turns it into the test that its scene needs.
 #pragma once
 
@@ -19,7 +19,7 @@ namespace octocell {
 /// What is asked for. Only `exact` and `q16_exact` promise the exact pairs; the others show what
 /// giving that up buys, and costs.
 enum class Predicate : std::uint8_t {
-  exact,      // float32 with a proved band, doubts decided over the reals
+  exact,      // float32 with a proved filter, uncertain pairs decided over the reals
   f32,        // |p - q|^2 <= (r_p + r_q)^2, all in float32
   f32_sqrt,   // |p - q| <= r_p + r_q, all in float32
   f64,        // float32 spheres, all in float64
@@ -40,10 +40,10 @@ constexpr bool claims_exact(Predicate p) {
 }
 
 enum class PairTest : std::uint8_t {
-  band_fast,   // of predicate exact: radii in the range of Band::fast
-  band_safe,   // the same for any radii
-  band_equal,  // as band_fast, and all radii are one: what is compared with is a constant
-  f32,         // of its predicate; of exact, where a lattice makes float32 exact
+  filter_fast,   // of predicate exact: radii in the range of Filter::fast
+  filter_safe,   // the same for any radii
+  filter_equal,  // as filter_fast, and all radii are one: what is compared with is a constant
+  f32,           // of its predicate; of exact, where a lattice makes float32 exact
   f32_sqrt,
   f64,
   boxes,
@@ -59,26 +59,26 @@ OCTOCELL_HD constexpr bool is_packed(PairTest t) {
 }
 
 /// It compares with one number, so it needs the radius of no sphere but one.
-OCTOCELL_HD constexpr bool has_one_radius(PairTest t) { return t == PairTest::band_equal; }
+OCTOCELL_HD constexpr bool has_one_radius(PairTest t) { return t == PairTest::filter_equal; }
 
-/// The band of a test with one.
-OCTOCELL_HD constexpr Band band_of(PairTest t) {
-  return t == PairTest::band_safe ? Band::safe : Band::fast;
+/// The filter of a test with one.
+OCTOCELL_HD constexpr Filter filter_of(PairTest t) {
+  return t == PairTest::filter_safe ? Filter::safe : Filter::fast;
 }
 
 /// It finds none, so stage 6 has nothing to do.
-OCTOCELL_HD constexpr bool has_doubts(PairTest t) {
-  return t <= PairTest::band_equal || t == PairTest::q16_exact;
+OCTOCELL_HD constexpr bool has_uncertain_pairs(PairTest t) {
+  return t <= PairTest::filter_equal || t == PairTest::q16_exact;
 }
 
 /// The radius as stage 5 keeps it in a float; once per sphere. Packed tests keep floats, too, for
 /// what passes.
 template <PairTest test>
 OCTOCELL_HD float stored_radius(float r) {
-  if constexpr (test == PairTest::band_fast || test == PairTest::band_equal) {
-    return band_radius<Band::fast>(r);
-  } else if constexpr (test == PairTest::band_safe || test == PairTest::q16_exact) {
-    return band_radius<Band::safe>(r);
+  if constexpr (test == PairTest::filter_fast || test == PairTest::filter_equal) {
+    return filter_radius<Filter::fast>(r);
+  } else if constexpr (test == PairTest::filter_safe || test == PairTest::q16_exact) {
+    return filter_radius<Filter::safe>(r);
   } else {
     return r;
   }
@@ -106,15 +106,15 @@ OCTOCELL_HD PackedSphere pack(const Sphere& s, const Packing& packing) {
 namespace pair_tests {
 
 OCTOCELL_HD bool within_f32_sqrt(const Sphere& a, const Sphere& b) {
-  return sqrtf(band_distance2(a, b)) <= a.r + b.r;
+  return sqrtf(filter_distance2(a, b)) <= a.r + b.r;
 }
 
 OCTOCELL_HD bool within_f64(const Sphere& a, const Sphere& b) {
   const double dx = static_cast<double>(a.x) - static_cast<double>(b.x);
   const double dy = static_cast<double>(a.y) - static_cast<double>(b.y);
   const double dz = static_cast<double>(a.z) - static_cast<double>(b.z);
-  const double reach = static_cast<double>(a.r) + static_cast<double>(b.r);
-  return dx * dx + dy * dy + dz * dz <= reach * reach;
+  const double radius_sum = static_cast<double>(a.r) + static_cast<double>(b.r);
+  return dx * dx + dy * dy + dz * dz <= radius_sum * radius_sum;
 }
 
 /// Each end is rounded once, and rounding is monotone: boxes of spheres that overlap do, too.
@@ -128,8 +128,8 @@ OCTOCELL_HD float norm2(const Sphere& s) { return s.x * s.x + s.y * s.y + s.z * 
 
 OCTOCELL_HD bool within_gram(const Sphere& a, const Sphere& b) {
   const float product = a.x * b.x + a.y * b.y + a.z * b.z;
-  const float reach = a.r + b.r;
-  return norm2(a) + norm2(b) - 2.0F * product <= reach * reach;
+  const float radius_sum = a.r + b.r;
+  return norm2(a) + norm2(b) - 2.0F * product <= radius_sum * radius_sum;
 }
 
 }  // namespace pair_tests
@@ -142,7 +142,7 @@ OCTOCELL_HD bool may_overlap(const Sphere& a, const Sphere& b) {
   if constexpr (test == PairTest::f64) return pair_tests::within_f64(a, b);
   if constexpr (test == PairTest::boxes) return pair_tests::boxes_meet(a, b);
   if constexpr (test == PairTest::gram) return pair_tests::within_gram(a, b);
-  return band_may_overlap(a, b);  // f32, too: its radii have not grown
+  return filter_may_overlap(a, b);  // f32, too: its radii have not grown
 }
 
 /// What is to be said of two that passed. `packing` is that of a packed test.
@@ -153,12 +153,12 @@ OCTOCELL_HD Verdict verdict_on(const Sphere& a, const Sphere& b, const Packing& 
     return are_near(a, b, packing) ? Verdict::overlap : Verdict::apart;
   }
   if constexpr (test == PairTest::q16_exact) {
-    if (!band_may_overlap(a, b)) return Verdict::apart;
-    return band_is_sure<Band::safe>(a, b) ? Verdict::overlap : Verdict::doubt;
+    if (!filter_may_overlap(a, b)) return Verdict::apart;
+    return filter_is_sure<Filter::safe>(a, b) ? Verdict::overlap : Verdict::uncertain;
   }
-  if constexpr (!has_doubts(test)) return Verdict::overlap;
-  constexpr Band band = test == PairTest::band_safe ? Band::safe : Band::fast;
-  return band_is_sure<band>(a, b) ? Verdict::overlap : Verdict::doubt;
+  if constexpr (!has_uncertain_pairs(test)) return Verdict::overlap;
+  constexpr Filter filter = test == PairTest::filter_safe ? Filter::safe : Filter::fast;
+  return filter_is_sure<filter>(a, b) ? Verdict::overlap : Verdict::uncertain;
 }
 
 #ifdef __CUDACC__  // `run` may be of the host or of the device, as its caller is
@@ -172,12 +172,12 @@ OCTOCELL_CALLS_EITHER
 template <typename Run>
 OCTOCELL_HD decltype(auto) with_pair_test(PairTest test, Run&& run) {
   switch (test) {
-    case PairTest::band_fast:
-      return run.template operator()<PairTest::band_fast>();
-    case PairTest::band_safe:
-      return run.template operator()<PairTest::band_safe>();
-    case PairTest::band_equal:
-      return run.template operator()<PairTest::band_equal>();
+    case PairTest::filter_fast:
+      return run.template operator()<PairTest::filter_fast>();
+    case PairTest::filter_safe:
+      return run.template operator()<PairTest::filter_safe>();
+    case PairTest::filter_equal:
+      return run.template operator()<PairTest::filter_equal>();
     case PairTest::f32:
       return run.template operator()<PairTest::f32>();
     case PairTest::f32_sqrt:
@@ -198,12 +198,12 @@ OCTOCELL_HD decltype(auto) with_pair_test(PairTest test, Run&& run) {
   return run.template operator()<PairTest::gram>();
 }
 
-/// The same where only tests with a band can occur.
+/// The same where only tests with a filter can occur.
 template <typename Run>
-decltype(auto) with_band_test(PairTest test, Run&& run) {
-  if (test == PairTest::band_fast) return run.template operator()<PairTest::band_fast>();
-  if (test == PairTest::band_equal) return run.template operator()<PairTest::band_equal>();
-  return run.template operator()<PairTest::band_safe>();
+decltype(auto) with_filter_test(PairTest test, Run&& run) {
+  if (test == PairTest::filter_fast) return run.template operator()<PairTest::filter_fast>();
+  if (test == PairTest::filter_equal) return run.template operator()<PairTest::filter_equal>();
+  return run.template operator()<PairTest::filter_safe>();
 }
 
 }  // namespace octocell

@@ -26,9 +26,9 @@ constexpr std::string_view name_of(Rule r) { return kRuleNames[static_cast<std::
 
 /// Room for what is found on the way. Zero is legal: the finder then says how much is needed.
 struct Capacities {
-  std::uint64_t ids = 0;     // cell ids, and object ids: homes and phantoms
-  std::uint64_t cells = 0;   // entries of the cell index
-  std::uint64_t doubts = 0;  // pairs that float32 cannot decide
+  std::uint64_t ids = 0;              // cell ids, and object ids: homes and phantoms
+  std::uint64_t cells = 0;            // entries of the cell index
+  std::uint64_t uncertain_pairs = 0;  // pairs that float32 cannot decide
   std::uint64_t pairs = 0;
 };
 
@@ -48,14 +48,14 @@ struct PlanFacts {
 ///
 /// A cell is a diameter wide or more, so that spheres of the level that overlap lie in the same or
 /// in adjacent cells (docs/exactness.md, claim A). Along x cells are cut into columns, finer:
-/// `reach` columns are at least a diameter. The id of a column is first_id + column + columns * row
-/// with row = y + rows_y * z, so that a row's columns, sorted, lie side by side.
+/// `column_reach` columns are at least a diameter. The id of a column is first_id + column +
+/// columns * row with row = y + rows_y * z, so that a row's columns, sorted, lie side by side.
 struct Level {
   float r_max = 0.0F;          // radii above the level below, up to this
   Grid grid;                   // ids from 0
   std::uint32_t first_id = 0;  // its ids are [first_id, first_id + ids)
   std::uint32_t ids = 1;
-  std::uint32_t reach = 1;  // in columns
+  std::uint32_t column_reach = 1;  // in columns
 };
 inline constexpr int kMaxLevels = 6;
 
@@ -80,8 +80,8 @@ struct SkinCells {
   int key_bits = 0;
 };
 
-/// The most growth, in mean radii: 2.7 near pairs for a pair. Where one of two does not grow, the
-/// other may by twice as much.
+/// The most growth, in mean radii: 2.7 neighbor pairs for a pair. Where one of two does not grow,
+/// the other may by twice as much.
 constexpr float most_skin(float static_share) { return 0.4F * (1.0F + static_share); }
 
 /// At least r + growth over the reals: the sum loses at most 2^-24 of itself, the factor adds more.
@@ -101,7 +101,7 @@ struct Plan {
   Levels levels;                           // of method half_shell
   int key_bits = 0;                        // every cell id is below 2^key_bits
   Predicate predicate = Predicate::exact;  // what was asked for
-  PairTest test = PairTest::band_safe;     // what that takes here
+  PairTest test = PairTest::filter_safe;   // what that takes here
   Packing packing;                         // of packed tests
   PlanFacts facts;
   Capacities capacity;
@@ -122,21 +122,23 @@ struct Counts {
   std::uint64_t ids = 0;
   std::uint64_t cells = 0;
   std::uint64_t candidates = 0;  // pairs of spheres looked at
-  std::uint64_t doubts = 0;
+  std::uint64_t uncertain_pairs = 0;
   std::uint64_t pairs = 0;
   bool over_candidate_limit = false;
   Skips used;       // what the data allowed to leave out in this run; the plan has its own
   int threads = 0;  // that worked: fewer than planned where the system gave no more; 0: not told
   /// What spared this frame a search of all spheres; none: it had one.
-  std::optional<Skip> served_by = {};
+  std::optional<Skip> reused = {};
   /// Set when a fact of the plan, or a condition of its rule, does not hold for the data.
   std::optional<std::string> plan_violation = {};
 };
 
-/// True if every buffer was large enough. A count_only plan keeps neither doubts nor pairs.
+/// True if every buffer was large enough. A count_only plan keeps neither uncertain pairs nor
+/// pairs.
 inline bool fits(const Counts& found, const Capacities& room, bool count_only) {
   return found.ids <= room.ids && found.cells <= room.cells &&
-         (count_only || (found.doubts <= room.doubts && found.pairs <= room.pairs));
+         (count_only ||
+          (found.uncertain_pairs <= room.uncertain_pairs && found.pairs <= room.pairs));
 }
 
 }  // namespace octocell

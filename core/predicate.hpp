@@ -2,8 +2,8 @@
 // Do two spheres overlap?  |p - q|^2 <= (r_p + r_q)^2, decided over the reals.
 //
 // Three levels, each certain when it answers (proofs: docs/exactness.md):
-//   1. float32 with a band: "apart", "overlap", or "doubt" (a few pairs in a million; all ties)
-//   2. float64 with an error bound, then with error-free transformations: exact or "doubt"
+//   1. float32 with a filter: "apart", "overlap", or "uncertain" (few in a million; all ties)
+//   2. float64 with an error bound, then with error-free transformations: exact or "uncertain"
 //   3. integers: every finite float32 is a multiple of 2^-149
 // Compiled without contraction (-ffp-contract=off): level 2 needs the operations as written.
 #pragma once
@@ -18,10 +18,10 @@
 
 namespace octocell {
 
-enum class Verdict : std::uint8_t { apart, overlap, doubt };
+enum class Verdict : std::uint8_t { apart, overlap, uncertain };
 
 /// Level 1 has two forms. `fast` needs every nonzero radius in [2^-60, 2^62]; `safe` needs nothing.
-enum class Band : std::uint8_t { fast, safe };
+enum class Filter : std::uint8_t { fast, safe };
 
 inline constexpr float kFastRadiusMin = 0x1p-60F;
 inline constexpr float kFastRadiusMax = 0x1p62F;
@@ -35,16 +35,16 @@ inline constexpr float kSafeSureFloor = 0x1p-70F;    // below it D may have lost
 inline constexpr float kFloatMax = 0x1.fffffep127F;
 
 /// The radius as level 1 uses it; once per sphere.
-template <Band band>
-OCTOCELL_HD float band_radius(float r) {
-  const float grown = r * OCTOCELL_FAULT(band_growth_too_small, 0x1.000004p0F, kRadiusGrowth);
-  if constexpr (band == Band::fast) return grown;
-  return OCTOCELL_FAULT(band_no_radius_floor, grown,
+template <Filter filter>
+OCTOCELL_HD float filter_radius(float r) {
+  const float grown = r * OCTOCELL_FAULT(filter_growth_too_small, 0x1.000004p0F, kRadiusGrowth);
+  if constexpr (filter == Filter::fast) return grown;
+  return OCTOCELL_FAULT(filter_no_radius_floor, grown,
                         grown < kSafeRadiusFloor ? kSafeRadiusFloor : grown);
 }
 
 /// D: the squared distance in float32, any order, with or without FMA.
-OCTOCELL_HD float band_distance2(const Sphere& a, const Sphere& b) {
+OCTOCELL_HD float filter_distance2(const Sphere& a, const Sphere& b) {
   const float dx = a.x - b.x;
   const float dy = a.y - b.y;
   const float dz = a.z - b.z;
@@ -52,40 +52,40 @@ OCTOCELL_HD float band_distance2(const Sphere& a, const Sphere& b) {
 }
 
 /// True for every overlapping pair, and for almost no other.
-/// `a.r` and `b.r` are band radii.
-OCTOCELL_HD bool band_may_overlap(const Sphere& a, const Sphere& b) {
-  const float reach = a.r + b.r;
-  return OCTOCELL_FAULT(band_touching_apart, band_distance2(a, b) < reach * reach,
-                        !(band_distance2(a, b) > reach * reach));
+/// `a.r` and `b.r` are filter radii.
+OCTOCELL_HD bool filter_may_overlap(const Sphere& a, const Sphere& b) {
+  const float radius_sum = a.r + b.r;
+  return OCTOCELL_FAULT(filter_touching_apart, filter_distance2(a, b) < radius_sum * radius_sum,
+                        !(filter_distance2(a, b) > radius_sum * radius_sum));
 }
 
-/// D below it proves "overlap", for `reach2` = H.
-template <Band band>
-OCTOCELL_HD float band_sure_below(float reach2) {
-  const float finite = band == Band::fast || reach2 < kFloatMax ? reach2 : kFloatMax;
-  return finite * OCTOCELL_FAULT(band_sure_fraction_too_large, 0x1.ffffd4p-1F, kSureFraction);
+/// D below it proves "overlap", for `radius_sum2` = H.
+template <Filter filter>
+OCTOCELL_HD float filter_sure_below(float radius_sum2) {
+  const float finite = filter == Filter::fast || radius_sum2 < kFloatMax ? radius_sum2 : kFloatMax;
+  return finite * OCTOCELL_FAULT(filter_sure_fraction_too_large, 0x1.ffffd4p-1F, kSureFraction);
 }
 
-/// For pairs that may overlap: is it certain?  `a.r` and `b.r` are band radii.
-template <Band band>
-OCTOCELL_HD bool band_is_sure(const Sphere& a, const Sphere& b) {
-  const float reach = a.r + b.r;
-  const float reach2 = reach * reach;
-  const bool sure = band_distance2(a, b) < band_sure_below<band>(reach2);
-  if constexpr (band == Band::fast) return sure;
-  return OCTOCELL_FAULT(band_no_sure_floor, true, reach2 >= kSafeSureFloor) && sure;
+/// For pairs that may overlap: is it certain?  `a.r` and `b.r` are filter radii.
+template <Filter filter>
+OCTOCELL_HD bool filter_is_sure(const Sphere& a, const Sphere& b) {
+  const float radius_sum = a.r + b.r;
+  const float radius_sum2 = radius_sum * radius_sum;
+  const bool sure = filter_distance2(a, b) < filter_sure_below<filter>(radius_sum2);
+  if constexpr (filter == Filter::fast) return sure;
+  return OCTOCELL_FAULT(filter_no_sure_floor, true, radius_sum2 >= kSafeSureFloor) && sure;
 }
 
 /// All of level 1, for two spheres with radii of their own.
-template <Band band>
-OCTOCELL_HD Verdict band_verdict(Sphere a, Sphere b) {
-  a.r = band_radius<band>(a.r);
-  b.r = band_radius<band>(b.r);
-  if (!band_may_overlap(a, b)) return Verdict::apart;
-  return band_is_sure<band>(a, b) ? Verdict::overlap : Verdict::doubt;
+template <Filter filter>
+OCTOCELL_HD Verdict filter_verdict(Sphere a, Sphere b) {
+  a.r = filter_radius<filter>(a.r);
+  b.r = filter_radius<filter>(b.r);
+  if (!filter_may_overlap(a, b)) return Verdict::apart;
+  return filter_is_sure<filter>(a, b) ? Verdict::overlap : Verdict::uncertain;
 }
 
-/// May a sphere of that radius be asked about in the fast band?
+/// May a sphere of that radius be asked about in the fast filter?
 OCTOCELL_HD bool in_fast_range(float r) {
   return r == 0.0F || (r >= kFastRadiusMin && r <= kFastRadiusMax);
 }
@@ -113,20 +113,20 @@ OCTOCELL_HD Real square_error(Real a, Real square) {
 
 /// Both sides of level 2 carry at most 8 roundings of 2^-53; ten leave room for the second order.
 template <typename Real>
-OCTOCELL_HD Real float64_bound(Real reach2) {
-  return OCTOCELL_FAULT(float64_bound_too_small, 1.0, 10.0) * 0x1p-53 * reach2;
+OCTOCELL_HD Real float64_bound(Real radius_sum2) {
+  return OCTOCELL_FAULT(float64_bound_too_small, 1.0, 10.0) * 0x1p-53 * radius_sum2;
 }
 
 /// Level 2 for two spheres, or, with a vector of float64 as `Real`, for as many at once. float32
 /// inputs can neither overflow nor underflow here (squares lie in 2^-298..2^260).
 template <typename Real>
 struct Float64Test {
-  Real distance2;  // D
-  Real reach;      // the sum of the radii
-  Real reach2;     // R
-  Real excess;     // D - R
-  Real bound;      // beyond it the sign of the excess is certain
-  Real rounding;   // the magnitudes of all rounding errors; zero: all of these are exact
+  Real distance2;    // D
+  Real radius_sum;   // the sum of the radii
+  Real radius_sum2;  // R
+  Real excess;       // D - R
+  Real bound;        // beyond it the sign of the excess is certain
+  Real rounding;     // the magnitudes of all rounding errors; zero: all of these are exact
 
   OCTOCELL_HD Float64Test(Real ax, Real ay, Real az, Real ar, Real bx, Real by, Real bz, Real br) {
     using std::abs;
@@ -140,14 +140,15 @@ struct Float64Test {
     const Sum<Real> xy = two_sum<Real>(xx, yy);
     const Sum<Real> xyz = two_sum<Real>(xy.value, zz);
     distance2 = xyz.value;
-    reach = radii.value;
-    reach2 = reach * reach;
-    excess = distance2 - reach2;
-    bound = float64_bound<Real>(reach2);
+    radius_sum = radii.value;
+    radius_sum2 = radius_sum * radius_sum;
+    excess = distance2 - radius_sum2;
+    bound = float64_bound<Real>(radius_sum2);
     rounding = abs(dx.error) + abs(dy.error) + abs(dz.error) + abs(radii.error) +  //
                abs(xy.error) + abs(xyz.error) +                                    //
                abs(square_error<Real>(dx.value, xx)) + abs(square_error<Real>(dy.value, yy)) +
-               abs(square_error<Real>(dz.value, zz)) + abs(square_error<Real>(reach, reach2));
+               abs(square_error<Real>(dz.value, zz)) +
+               abs(square_error<Real>(radius_sum, radius_sum2));
   }
 };
 
@@ -155,7 +156,7 @@ OCTOCELL_HD Verdict float64_test(const Sphere& a, const Sphere& b) {
   const Float64Test<double> test(a.x, a.y, a.z, a.r, b.x, b.y, b.z, b.r);
   if (test.excess > test.bound) return Verdict::apart;
   if (test.excess < -test.bound) return Verdict::overlap;
-  if (test.rounding != 0.0) return Verdict::doubt;
+  if (test.rounding != 0.0) return Verdict::uncertain;
   return OCTOCELL_FAULT(float64_touching_apart, test.excess < 0.0, test.excess <= 0.0)
              ? Verdict::overlap
              : Verdict::apart;
@@ -247,21 +248,21 @@ OCTOCELL_HD void add_square(Square& sum, const Fixed& a) {
 /// Both sides of the predicate: D and R.
 struct Sides {
   Square distance2;
-  Square reach2;
+  Square radius_sum2;
 };
 OCTOCELL_HD Sides integer_sides(const Sphere& a, const Sphere& b) {
   Sides sides = {};
   add_square(sides.distance2, distance_along_axis(a.x, b.x));
   add_square(sides.distance2, distance_along_axis(a.y, b.y));
   add_square(sides.distance2, distance_along_axis(a.z, b.z));
-  add_square(sides.reach2, add(fixed_magnitude(a.r), fixed_magnitude(b.r)));
+  add_square(sides.radius_sum2, add(fixed_magnitude(a.r), fixed_magnitude(b.r)));
   return sides;
 }
 
 OCTOCELL_HD bool integer_test(const Sphere& a, const Sphere& b) {
-  const auto [distance2, reach2] = integer_sides(a, b);
+  const auto [distance2, radius_sum2] = integer_sides(a, b);
   for (int i = 2 * kLimbs - 1; i >= 0; --i) {
-    if (distance2.limb[i] != reach2.limb[i]) return distance2.limb[i] < reach2.limb[i];
+    if (distance2.limb[i] != radius_sum2.limb[i]) return distance2.limb[i] < radius_sum2.limb[i];
   }
   return OCTOCELL_FAULT(integer_touching_apart, false, true);  // tangent spheres overlap
 }
@@ -271,7 +272,7 @@ OCTOCELL_HD bool integer_test(const Sphere& a, const Sphere& b) {
 /// Levels 2 and 3: the answer for any two finite spheres with r >= 0.
 OCTOCELL_HD bool overlap_exact(const Sphere& a, const Sphere& b) {
   const Verdict verdict = exact::float64_test(a, b);
-  if (verdict != Verdict::doubt) return verdict == Verdict::overlap;
+  if (verdict != Verdict::uncertain) return verdict == Verdict::overlap;
   return exact::integer_test(a, b);
 }
 

@@ -16,14 +16,14 @@ enum class Skip : std::uint8_t {
   wide_cells,   // radii differ: the large get a level of their own, so the small keep small cells
   layers,       // flat scenes: no rows above and below
   key_bits,     // ids are no longer than the grid needs
-  safe_band,    // radii are neither tiny nor huge: the float32 test needs no guards
+  safe_filter,  // radii are neither tiny nor huge: the float32 test needs no guards
   equal_radii,  // all radii are one: what is compared with is a constant
-  doubts,       // all numbers lie on a lattice: plain float32 is exact
-  passes,       // a digit that all ids share is not sorted by
-  sort,         // ids that come in order are not sorted
-  unchanged,    // dynamic: no sphere has changed since the last frame: its pairs stand
-  few_movers,   // dynamic: only what moved is looked for anew
-  skin,         // dynamic: nothing has moved far: the near pairs are tested again, no others
+  uncertain_pairs,  // all numbers lie on a lattice: plain float32 is exact
+  passes,           // a digit that all ids share is not sorted by
+  sort,             // ids that come in order are not sorted
+  unchanged,        // dynamic: no sphere has changed since the last frame: its pairs stand
+  few_movers,       // dynamic: only what moved is looked for anew
+  skin,  // dynamic: nothing has moved far: the neighbor pairs are tested again, no others
 };
 inline constexpr std::size_t kSkipCount = 14;
 
@@ -42,18 +42,18 @@ inline constexpr std::array<SkipInfo, kSkipCount> kSkips = {{
      "each level's cells are at least its own diameters wide; levels are tested across"},
     {"layers", "the rows above and below", "all spheres lie in one layer of cells"},
     {"key_bits", "passes over bits that no id has", "ids are below the number of cells"},
-    {"safe_band", "guards against underflow and overflow",
+    {"safe_filter", "guards against underflow and overflow",
      "every nonzero radius lies in [2^-60, 2^62]"},
     {"equal_radii", "the radius of every candidate", "the smallest radius is the largest"},
-    {"doubts", "the band, and doubts for stage 6",
+    {"uncertain_pairs", "the filter, and uncertain pairs for stage 6",
      "all numbers are multiples of one power of two, and so few bits wide that nothing is rounded"},
     {"passes", "passes over a digit that all ids share", "such a pass moves nothing"},
     {"sort", "the sort", "the ids come in order"},
     {"unchanged", "the frame", "every sphere equals, bit for bit, the copy of the last frame"},
     {"few_movers", "pairs of spheres that stand still",
      "they equal, bit for bit, the copy whose pairs are known"},
-    {"skin", "the search, while near pairs are known",
-     "no sphere is further than half the skin from where the near pairs were found"},
+    {"skin", "the search, while neighbor pairs are known",
+     "no sphere is further than half the skin from where the neighbor pairs were found"},
 }};
 constexpr std::string_view name_of(Skip s) { return kSkips[static_cast<std::size_t>(s)].name; }
 

@@ -43,14 +43,14 @@ class CpuBackend final : public GridPairFinder {
     Counts found;
     if (coherence_.runs(Stage::cell_ids)) count_cells(coherence_.ordered_now(w_), found);
     found.candidates = w_.candidates;
-    found.doubts = w_.doubts.size();
+    found.uncertain_pairs = w_.uncertain_pairs.size();
     found.pairs = w_.pairs.size();
     found.over_candidate_limit = w_.candidates > w_.plan.candidate_limit;
-    found.served_by = coherence_.served_by();
+    found.reused = coherence_.reused();
     found.plan_violation = w_.violation;
     found.used = w_.used;
     found.threads = w_.threads->count();
-    if (const auto skip = coherence_.served_by()) found.used = found.used.with(*skip);
+    if (const auto skip = coherence_.reused()) found.used = found.used.with(*skip);
     return found;
   }
 
@@ -78,9 +78,9 @@ class CpuBackend final : public GridPairFinder {
     return GridPairFinder::runs(stage) && coherence_.runs(stage);
   }
   void bounds() override {
-    if (coherence_.nothing_changed(w_) || coherence_.near_pairs_stand(w_)) return;
+    if (coherence_.nothing_changed(w_) || coherence_.list_is_valid(w_)) return;
     cpu::bounds(w_);
-    coherence_.choose_course(w_);
+    coherence_.choose_mode(w_);
   }
   void cell_ids() override { cpu::cell_ids(coherence_.ordered_now(w_)); }
   void sort() override { cpu::sort(coherence_.ordered_now(w_)); }

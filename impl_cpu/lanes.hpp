@@ -92,7 +92,7 @@ struct SphereLanes : CentreLanes<V> {
       : CentreLanes<V>(of, at), r(of.r + at, stdx::element_aligned) {}
 };
 
-/// D, as band_distance2().
+/// D, as filter_distance2().
 template <typename V, typename Number>
 [[gnu::always_inline]] inline V distance2(const CentreLanes<V>& lanes, const Fields<Number>& ones,
                                           std::uint64_t k) {
@@ -106,15 +106,16 @@ template <typename V, typename Number>
 /// may_overlap(ones, k): as the function of that name says for each of them and sphere k of `ones`.
 /// All of it must become part of its callers' loops, whatever a compiler thinks of their size.
 template <PairTest test, std::uint32_t count>
-class Lanes {  // the tests of |p - q|^2 <= (r_p + r_q)^2: the band's, f32, and f64
+class Lanes {  // the tests of |p - q|^2 <= (r_p + r_q)^2: the filter's, f32, and f64
  public:
   [[gnu::always_inline]] Lanes(const Fields<float>& of, std::uint64_t at) : lanes_(of, at) {}
 
   [[nodiscard, gnu::always_inline]] LaneBits may_overlap(const Fields<float>& ones,
                                                          std::uint64_t k) const {
-    const V reach = lanes_.r + static_cast<Number>(ones.r[k]);
-    return OCTOCELL_FAULT(lanes_touching_apart, bits_of(distance2(lanes_, ones, k) < reach * reach),
-                          bits_of(distance2(lanes_, ones, k) <= reach * reach));
+    const V radius_sum = lanes_.r + static_cast<Number>(ones.r[k]);
+    return OCTOCELL_FAULT(lanes_touching_apart,
+                          bits_of(distance2(lanes_, ones, k) < radius_sum * radius_sum),
+                          bits_of(distance2(lanes_, ones, k) <= radius_sum * radius_sum));
   }
 
  private:
@@ -124,7 +125,7 @@ class Lanes {  // the tests of |p - q|^2 <= (r_p + r_q)^2: the band's, f32, and 
 };
 
 template <std::uint32_t count>
-class Lanes<PairTest::band_equal, count> {
+class Lanes<PairTest::filter_equal, count> {
  public:
   [[gnu::always_inline]] Lanes(const Fields<float>& of, std::uint64_t at)
       : lanes_(of, at), reach2_((of.r[0] + of.r[0]) * (of.r[0] + of.r[0])) {}
@@ -192,8 +193,8 @@ class Lanes<PairTest::gram, count> {
                                                          std::uint64_t k) const {
     const Sphere one = {ones.x[k], ones.y[k], ones.z[k], ones.r[k]};
     const Floats product = lanes_.x * one.x + lanes_.y * one.y + lanes_.z * one.z;
-    const Floats reach = lanes_.r + one.r;
-    return bits_of(norm2_ + pair_tests::norm2(one) - 2.0F * product <= reach * reach);
+    const Floats radius_sum = lanes_.r + one.r;
+    return bits_of(norm2_ + pair_tests::norm2(one) - 2.0F * product <= radius_sum * radius_sum);
   }
 
  private:
@@ -211,11 +212,11 @@ class Q16Lanes {
 
   [[nodiscard, gnu::always_inline]] LaneBits may_overlap(const Fields<std::uint16_t>& ones,
                                                          std::uint64_t k) const {
-    const Integers reach = lanes_.r + static_cast<std::int32_t>(ones.r[k]);
+    const Integers radius_sum = lanes_.r + static_cast<std::int32_t>(ones.r[k]);
     return bits_of(square_of_distance(lanes_.x, ones.x[k]) +
                        square_of_distance(lanes_.y, ones.y[k]) +
                        square_of_distance(lanes_.z, ones.z[k]) <=
-                   square(reach));
+                   square(radius_sum));
   }
 
  private:
@@ -256,8 +257,8 @@ class Lanes<PairTest::f16, count> {
     const Floats dx = difference(x_, f16::to_float(ones.x[k]));
     const Floats dy = difference(y_, f16::to_float(ones.y[k]));
     const Floats dz = difference(z_, f16::to_float(ones.z[k]));
-    const Floats reach = r_ + f16::to_float(ones.r[k]);
-    return bits_of(dx * dx + dy * dy + dz * dz <= reach * reach);
+    const Floats radius_sum = r_ + f16::to_float(ones.r[k]);
+    return bits_of(dx * dx + dy * dy + dz * dz <= radius_sum * radius_sum);
   }
 
  private:

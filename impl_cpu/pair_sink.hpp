@@ -11,14 +11,14 @@
 
 namespace octocell::cpu {
 
-/// Doubts are kept for stage 6, or resolved block by block where nothing may be kept.
-class DoubtSink {
+/// Uncertain pairs are kept for stage 6, or resolved block by block where nothing may be kept.
+class UncertainSink {
  public:
-  explicit DoubtSink(Workspace& w) : w_(w) {}
-  void append(std::span<const Pair> doubts) {
-    if (!w_.plan.count_only) return w_.doubts.append(doubts);
-    w_.doubts.count(doubts.size());
-    OCTOCELL_FAULT(doubts_uncounted, void(), resolve_block(w_, doubts));
+  explicit UncertainSink(Workspace& w) : w_(w) {}
+  void append(std::span<const Pair> uncertain_pairs) {
+    if (!w_.plan.count_only) return w_.uncertain_pairs.append(uncertain_pairs);
+    w_.uncertain_pairs.count(uncertain_pairs.size());
+    OCTOCELL_FAULT(uncertain_pairs_uncounted, void(), resolve_block(w_, uncertain_pairs));
   }
 
  private:
@@ -33,8 +33,8 @@ class PairSink {
       : flags_(flags),
         packing_(w.plan.packing),
         sure_(w.pairs),
-        doubt_sink_(w),
-        doubts_(doubt_sink_) {}
+        uncertain_sink_(w),
+        uncertain_pairs_(uncertain_sink_) {}
 
   /// Two spheres that may overlap, with stored radii.
   template <PairTest test>
@@ -45,15 +45,15 @@ class PairSink {
     const Pair pair = make_pair_of(id_a, id_b);
     const Verdict verdict = verdict_on<test>(a, b, packing_);
     if (verdict == Verdict::overlap) sure_.push(pair);
-    if (verdict == Verdict::doubt) doubts_.push(pair);
+    if (verdict == Verdict::uncertain) uncertain_pairs_.push(pair);
   }
 
  private:
   std::span<const Flags> flags_;
   Packing packing_;
   PairWriter sure_;
-  DoubtSink doubt_sink_;
-  ListWriter<Pair, kListBlock, DoubtSink> doubts_;
+  UncertainSink uncertain_sink_;
+  ListWriter<Pair, kListBlock, UncertainSink> uncertain_pairs_;
 };
 
 }  // namespace octocell::cpu

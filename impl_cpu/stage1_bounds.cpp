@@ -24,7 +24,7 @@ void leave_nothing(Workspace& w) {
   w.id_count = 0;
   w.cells.clear();
   w.ordered.row_count = 0;
-  w.doubts.clear();
+  w.uncertain_pairs.clear();
   w.pairs.clear(w.plan.count_only);
   if (some_may_collide(w.scene.flags)) w.violation = kFlagsBroken;
 }

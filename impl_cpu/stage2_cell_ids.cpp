@@ -69,13 +69,13 @@ struct Batch {
   std::uint32_t highest[3][kSpheresPerBatch];
   std::uint32_t home[3][kSpheresPerBatch];
 
-  template <typename Reach>
-  void locate(const Grid& grid, std::span<const Sphere> spheres, Reach reach) {
+  template <typename ExtentOf>
+  void locate(const Grid& grid, std::span<const Sphere> spheres, ExtentOf extent_of) {
     for (int a = 0; a < 3; ++a) {
       for (std::size_t i = 0; i < spheres.size(); ++i) {
         const Sphere& s = spheres[i];
         const float p = a == 0 ? s.x : a == 1 ? s.y : s.z;
-        const float extent = reach(s.r);
+        const float extent = extent_of(s.r);
         lowest[a][i] = cell_coordinate(grid, a, p - extent);
         highest[a][i] =
             cell_coordinate(grid, a, p + OCTOCELL_FAULT(cells_without_p_plus_r, 0.0F, extent));
@@ -155,14 +155,15 @@ void emit_blocks(Workspace& w, const PerBlock& per_block) {
   w.id_count = next.load();
 }
 
-/// Calls per_sphere(batch, i, sphere, phantoms) with the batch located for boxes of p +- reach(r).
-template <typename Reach, typename PerSphere>
-void emit_batches(Workspace& w, Reach reach, const PerSphere& per_sphere) {
+/// Calls per_sphere(batch, i, sphere, phantoms) with the batch located for boxes of p +-
+/// extent_of(r).
+template <typename ExtentOf, typename PerSphere>
+void emit_batches(Workspace& w, ExtentOf extent_of, const PerSphere& per_sphere) {
   emit_blocks(w, [&](std::uint64_t begin, std::uint64_t end, PhantomWriter& phantoms) {
     Batch batch;
     for (std::uint64_t b = begin; b < end; b += kSpheresPerBatch) {
       const std::size_t size = std::min(kSpheresPerBatch, end - b);
-      batch.locate(w.plan.grid, w.scene.spheres.subspan(b, size), reach);
+      batch.locate(w.plan.grid, w.scene.spheres.subspan(b, size), extent_of);
       for (std::size_t i = 0; i < size; ++i) {
         per_sphere(batch, i, static_cast<std::uint32_t>(b + i), phantoms);
       }
@@ -181,7 +182,7 @@ void emit_lowest_cell(Workspace& w) {
 void emit_chapter32(Workspace& w) {
   std::atomic<bool> three_cells = false;
   emit_batches(
-      w, chapter32::reach,
+      w, chapter32::extent,
       [&](const Batch& batch, std::size_t i, std::uint32_t sphere, PhantomWriter& phantoms) {
         if (batch.longest_span(i) > 1) three_cells.store(true);
         w.control_bits[sphere] =

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Stage 5, pair_tests: which spheres that share a cell overlap?
-// Reads spheres, sorted objects, cell index. Writes sure pairs, and doubts for stage 6.
+// Reads spheres, sorted objects, cell index. Writes sure pairs, and uncertain pairs for stage 6.
 // Cost: 16 bytes gathered an id, then about one vector operation a candidate and eighth.
-// Idea: float32 with a proved band decides all but a few pairs in a million; the rule that names
+// Idea: float32 with a proved filter decides all but a few pairs in a million; the rule that names
 //       the one cell in which a pair counts is asked only for pairs that may overlap.
 #include <algorithm>
 #include <cstddef>
@@ -206,7 +206,7 @@ void run(Workspace& w) {
 
 void pair_tests(Workspace& w) {
   w.pairs.clear(w.plan.count_only);
-  w.doubts.clear();
+  w.uncertain_pairs.clear();
   if (w.plan.method == Method::brute_force && !w.scene.spheres.empty()) {
     const std::uint64_t count = w.scene.spheres.size();
     w.candidates = count * (count - 1) / 2;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Stage 6, resolve: decide the doubts.
-// Reads doubts, spheres. Writes pairs.
-// Cost: about 10 ns a doubt; a few doubts in a million pairs, but all pairs of a tangent lattice.
+// Stage 6, resolve: decide the uncertain pairs.
+// Reads uncertain pairs, spheres. Writes pairs.
+// Cost: about 10 ns a pair, of which there are a few in a million, but all of a tangent lattice.
 // Idea: float64 with an error bound, error-free transformations, integers: the first that is
 //       certain answers.
 #include <algorithm>
@@ -35,10 +35,10 @@ struct Abreast {
   }
 };
 
-/// Level 2 for some doubts at once: which overlap, and which it cannot tell.
+/// Level 2 for some uncertain pairs at once: which overlap, and which it cannot tell.
 struct Verdicts {
   LaneBits overlap;
-  LaneBits doubt;
+  LaneBits uncertain;
 };
 Verdicts float64_verdicts(const Abreast& a, const Abreast& b) {
   const auto reals = [](const float* from) { return Reals(from, stdx::element_aligned); };
@@ -46,49 +46,51 @@ Verdicts float64_verdicts(const Abreast& a, const Abreast& b) {
                                        reals(b.y), reals(b.z), reals(b.r));
   const auto certain = bits_of(abs(test.excess) > test.bound);
   const auto exact = bits_of(test.rounding == 0.0);
-  return {
-      .overlap = OCTOCELL_FAULT(doubts_taken_as_pairs, LaneBits{0xff}, bits_of(test.excess <= 0.0)),
-      .doubt = static_cast<LaneBits>(~(certain | exact))};
+  return {.overlap = OCTOCELL_FAULT(uncertain_pairs_taken_as_pairs, LaneBits{0xff},
+                                    bits_of(test.excess <= 0.0)),
+          .uncertain = static_cast<LaneBits>(~(certain | exact))};
 }
 
 }  // namespace
 
-void resolve_block(Workspace& w, std::span<const Pair> doubts) {
+void resolve_block(Workspace& w, std::span<const Pair> uncertain_pairs) {
   const std::span<const Sphere> spheres = w.scene.spheres;
   PairWriter pairs(w.pairs);
-  for (std::size_t begin = 0; begin < doubts.size(); begin += kAtOnce) {
-    const std::size_t count = std::min<std::size_t>(kAtOnce, doubts.size() - begin);
+  for (std::size_t begin = 0; begin < uncertain_pairs.size(); begin += kAtOnce) {
+    const std::size_t count = std::min<std::size_t>(kAtOnce, uncertain_pairs.size() - begin);
     Abreast a;
     Abreast b;
     for (std::size_t k = 0; k < count; ++k) {
-      const Pair& ahead = doubts[std::min(begin + k + kPrefetchAhead, doubts.size() - 1)];
+      const Pair& ahead =
+          uncertain_pairs[std::min(begin + k + kPrefetchAhead, uncertain_pairs.size() - 1)];
       __builtin_prefetch(&spheres[ahead.i]);
       __builtin_prefetch(&spheres[ahead.j]);
-      a.put(k, spheres[doubts[begin + k].i]);
-      b.put(k, spheres[doubts[begin + k].j]);
+      a.put(k, spheres[uncertain_pairs[begin + k].i]);
+      b.put(k, spheres[uncertain_pairs[begin + k].j]);
     }
     Verdicts verdicts = float64_verdicts(a, b);
     const LaneBits present = first_bits(static_cast<std::uint32_t>(count));
-    for_each_lane(verdicts.doubt & present, [&](std::uint32_t k) {
-      const Pair& pair = doubts[begin + k];
+    for_each_lane(verdicts.uncertain & present, [&](std::uint32_t k) {
+      const Pair& pair = uncertain_pairs[begin + k];
       const auto bit = static_cast<LaneBits>(1U << k);
       verdicts.overlap &= static_cast<LaneBits>(~bit);
       if (exact::integer_test(spheres[pair.i], spheres[pair.j])) verdicts.overlap |= bit;
     });
     for_each_lane(verdicts.overlap & present,
-                  [&](std::uint32_t k) { pairs.push(doubts[begin + k]); });
+                  [&](std::uint32_t k) { pairs.push(uncertain_pairs[begin + k]); });
   }
 }
 
 void resolve(Workspace& w) {
-  constexpr std::uint64_t kDoubtsPerBlock = block_size(4096, 8);
+  constexpr std::uint64_t kUncertainPerBlock = block_size(4096, 8);
   if (w.plan.count_only) return;  // stage 5 had them resolved block by block
-  const std::span<const Pair> doubts = w.doubts.items();
+  const std::span<const Pair> uncertain_pairs = w.uncertain_pairs.items();
   w.threads->for_blocks(
-      OCTOCELL_FAULT(doubts_after_first_block_lost,
-                     std::min<std::uint64_t>(doubts.size(), kDoubtsPerBlock), doubts.size()),
-      kDoubtsPerBlock, [&](std::uint64_t begin, std::uint64_t end) {
-        resolve_block(w, doubts.subspan(begin, end - begin));
+      OCTOCELL_FAULT(uncertain_pairs_after_first_block_lost,
+                     std::min<std::uint64_t>(uncertain_pairs.size(), kUncertainPerBlock),
+                     uncertain_pairs.size()),
+      kUncertainPerBlock, [&](std::uint64_t begin, std::uint64_t end) {
+        resolve_block(w, uncertain_pairs.subspan(begin, end - begin));
       });
 }
 

@@ -48,7 +48,7 @@ struct Workspace {
   SharedList<std::uint32_t> crowded_cells;   // indices into cells: too large for one tile
   OrderedSpheres ordered;                    // method half_shell only
   std::vector<std::uint64_t> rows_of_block;  // of its stage 4: how many each block listed
-  SharedList<Pair> doubts;                   // in a count_only plan only counted: see resolve()
+  SharedList<Pair> uncertain_pairs;          // in a count_only plan only counted: see resolve()
   PairList pairs;
 
   PlanFacts facts;  // of the scene, as stage 1 has seen it last
@@ -86,8 +86,9 @@ void cell_index(Workspace& w);
 void pair_tests(Workspace& w);
 void resolve(Workspace& w);
 
-/// Decides a few doubts at once. A count_only plan, which must not need memory in proportion to
-/// its pairs, has stage 5 call this for each full block instead of storing it for stage 6.
-void resolve_block(Workspace& w, std::span<const Pair> doubts);
+/// Decides a few uncertain pairs at once. A count_only plan, which must not need memory in
+/// proportion to its pairs, has stage 5 call this for each full block instead of storing it for
+/// stage 6.
+void resolve_block(Workspace& w, std::span<const Pair> uncertain_pairs);
 
 }  // namespace octocell::cpu

@@ -19,7 +19,7 @@ void Workspace::allocate() {
     cells.allocate(room.cells);
     crowded_cells.allocate(room.ids / kTileSpheres + 1);
   }
-  doubts.allocate(room.doubts);
+  uncertain_pairs.allocate(room.uncertain_pairs);
   pairs.allocate(room.pairs);
 }
 

@@ -35,7 +35,7 @@ class CudaBackend final : public GridPairFinder {
   CudaBackend() {
     cuda::check(cudaStreamCreateWithFlags(&w_.stream, cudaStreamNonBlocking));
     state_.allocate(1);
-    w_.course_taken.allocate(1);
+    w_.mode_taken.allocate(1);
   }
   CudaBackend(const CudaBackend&) = delete;
   CudaBackend& operator=(const CudaBackend&) = delete;
@@ -48,14 +48,15 @@ class CudaBackend final : public GridPairFinder {
     w_.scene = scene;
     w_.sorter.reset();
     if (plan.method == Method::home_phantom) {
-      w_.sorter.emplace(Rung::onesweep, plan.capacity.ids, plan.key_bits);
+      w_.sorter.emplace(Variant::onesweep, plan.capacity.ids, plan.key_bits);
     }
     if (w_.half_shell()) {  // its own kernel counts digits: there must be one
-      w_.sorter.emplace(Rung::onesweep, plan.capacity.ids, std::max(plan.key_bits, 1));
+      w_.sorter.emplace(Variant::onesweep, plan.capacity.ids, std::max(plan.key_bits, 1));
     }
     w_.grown_sorter.reset();
     if (plan.moving && plan.skin.growth > 0.0F && w_.half_shell()) {  // whatever flags will come
-      w_.grown_sorter.emplace(Rung::onesweep, plan.capacity.ids, std::max(plan.skin.key_bits, 1));
+      w_.grown_sorter.emplace(Variant::onesweep, plan.capacity.ids,
+                              std::max(plan.skin.key_bits, 1));
     }
     coherence_.flags_differ(w_);
     make_room();
@@ -105,14 +106,14 @@ class CudaBackend final : public GridPairFinder {
     found.ids = state.ids;
     found.cells = state.cells;
     found.candidates = state.candidates;
-    found.doubts = state.doubts;
+    found.uncertain_pairs = state.uncertain_pairs;
     found.pairs = state.pairs;
     found.over_candidate_limit =
-        state.course == coherence::Course::search && state.candidates > w_.plan.candidate_limit;
+        state.mode == coherence::FrameMode::search && state.candidates > w_.plan.candidate_limit;
     found.plan_violation = words_for(state.violations);
-    found.served_by = coherence::skip_of(state.course);
-    if (found.served_by) found.used = found.used.with(*found.served_by);
-    const bool sorted_ids = w_.half_shell() && !found.served_by && state.entries > 0;
+    found.reused = coherence::skip_of(state.mode);
+    if (found.reused) found.used = found.used.with(*found.reused);
+    const bool sorted_ids = w_.half_shell() && !found.reused && state.entries > 0;
     if (sorted_ids && state.out_of_order == 0) found.used = found.used.with(Skip::sort);
     return found;
   }
@@ -150,14 +151,14 @@ class CudaBackend final : public GridPairFinder {
   [[nodiscard]] bool bounds_with_cell_ids() const override { return w_.half_shell(); }
   [[nodiscard]] bool runs(Stage stage) const override {
     if (!GridPairFinder::runs(stage)) return false;
-    if (!w_.course || *w_.course == coherence::Course::search) return true;
-    return *w_.course == coherence::Course::near_pairs && stage >= Stage::pair_tests;
+    if (!w_.mode || *w_.mode == coherence::FrameMode::search) return true;
+    return *w_.mode == coherence::FrameMode::neighbor_list && stage >= Stage::pair_tests;
   }
   void bounds() override {
     cuda_custom::bounds(w_);
-    w_.course.reset();
-    if (w_.coherent() && !is_recorded()) w_.course = coherence_.supposed();
-    if (w_.course) opened_.record(w_.stream);
+    w_.mode.reset();
+    if (w_.coherent() && !is_recorded()) w_.mode = coherence_.predicted();
+    if (w_.mode) opened_.record(w_.stream);
   }
   void cell_ids() override { cuda_custom::cell_ids(w_); }
   void sort() override { cuda_custom::sort(w_); }
@@ -165,13 +166,13 @@ class CudaBackend final : public GridPairFinder {
   void pair_tests() override { cuda_custom::pair_tests(w_); }
   void resolve() override { cuda_custom::resolve(w_); }
   /// While the device goes on with what was queued, the host hears what it should have queued.
-  bool supposed_wrongly() override {
-    if (!w_.course) return false;
+  bool mispredicted() override {
+    if (!w_.mode) return false;
     opened_.wait();
-    const coherence::Course supposed = *w_.course;
-    w_.course = *w_.course_taken.data();
-    return OCTOCELL_FAULT(cuda_supposed_for_good, false,
-                          *w_.course != supposed && *w_.course != coherence::Course::unchanged);
+    const coherence::FrameMode predicted = *w_.mode;
+    w_.mode = *w_.mode_taken.data();
+    return OCTOCELL_FAULT(cuda_prediction_kept, false,
+                          *w_.mode != predicted && *w_.mode != coherence::FrameMode::unchanged);
   }
 
  private:

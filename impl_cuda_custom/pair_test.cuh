@@ -11,7 +11,7 @@
 
 namespace octocell::cuda_custom {
 
-/// band_may_overlap() with fused operations, which its proof allows and this machine has.
+/// filter_may_overlap() with fused operations, which its proof allows and this machine has.
 __device__ inline float distance2(const Sphere& a, const Sphere& b) {
   const float dx = a.x - b.x;
   const float dy = a.y - b.y;
@@ -19,15 +19,15 @@ __device__ inline float distance2(const Sphere& a, const Sphere& b) {
   return __fmaf_rn(dz, dz, __fmaf_rn(dy, dy, dx * dx));
 }
 __device__ inline bool within_f32(const Sphere& a, const Sphere& b) {
-  const float reach = a.r + b.r;
-  return !(distance2(a, b) > reach * reach);
+  const float radius_sum = a.r + b.r;
+  return !(distance2(a, b) > radius_sum * radius_sum);
 }
 __device__ inline bool within_f64(const Sphere& a, const Sphere& b) {
   const double dx = static_cast<double>(a.x) - static_cast<double>(b.x);
   const double dy = static_cast<double>(a.y) - static_cast<double>(b.y);
   const double dz = static_cast<double>(a.z) - static_cast<double>(b.z);
-  const double reach = static_cast<double>(a.r) + static_cast<double>(b.r);
-  return __fma_rn(dz, dz, __fma_rn(dy, dy, dx * dx)) <= reach * reach;
+  const double radius_sum = static_cast<double>(a.r) + static_cast<double>(b.r);
+  return __fma_rn(dz, dz, __fma_rn(dy, dy, dx * dx)) <= radius_sum * radius_sum;
 }
 
 /// Spheres as a test reads them.
@@ -75,7 +75,7 @@ struct AnyTest {
   Packing packing;
 
   [[nodiscard]] __device__ bool may_overlap(const Sphere& a, const Sphere& b) const {
-    if (has_band()) return within_f32(a, b);
+    if (has_filter()) return within_f32(a, b);
     return with_pair_test(test, [&]<PairTest fixed>() {
       if constexpr (is_packed(fixed)) {
         return FixedTest<fixed>{packing}.may_overlap(pack<fixed>(a, packing),
@@ -91,7 +91,7 @@ struct AnyTest {
   }
 
  private:
-  [[nodiscard]] __device__ bool has_band() const { return test <= PairTest::band_equal; }
+  [[nodiscard]] __device__ bool has_filter() const { return test <= PairTest::filter_equal; }
 };
 
 /// The radius that stage 5 is given; once per sphere.

@@ -22,7 +22,7 @@ struct Job {
   const Sphere* spheres;
   std::uint64_t sphere_count;
   Grid grid;
-  bool scaled;      // rule chapter32: its reach, and control bits
+  bool scaled;      // rule chapter32: its extent, and control bits
   float text_side;  // rule as_written
   std::uint32_t* cell_ids;
   Object* objects;
@@ -36,7 +36,7 @@ struct Job {
     objects[place] = object;
   }
   [[nodiscard]] __device__ CellRange range(const Sphere& s) const {
-    return cells_met(grid, s, scaled ? chapter32::reach(s.r) : s.r);
+    return cells_met(grid, s, scaled ? chapter32::extent(s.r) : s.r);
   }
   [[nodiscard]] __device__ Cell home(const Sphere& s) const { return cell_of(grid, s.x, s.y, s.z); }
   __device__ void put_phantom(std::uint64_t place, std::uint32_t sphere, const CellBox& box,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Stage 5, pair_tests: which spheres that share a cell overlap?
-// Reads spheres, sorted cell ids and objects, crowded tiles. Writes sure pairs, and doubts for
-//       stage 6.
+// Reads spheres, sorted cell ids and objects, crowded tiles. Writes sure pairs, and uncertain
+//       pairs for stage 6.
 // Cost: 8 bytes an id and a gathered sphere of 16; then about 15 operations a candidate.
 // Idea: a block takes a tile of 256 entries as rows. Each row meets the entries behind it in its
 //       cell, as far as the end of the next tile: both lie in shared memory, each sphere gathered
@@ -194,8 +194,8 @@ void test_columns(Workspace& w, std::uint64_t most_entries) {
 
 void pair_tests(Workspace& w) {
   if (w.plan.method == Method::half_shell) {
-    if (w.may_take(coherence::Course::search)) half_shell::pair_tests(w);
-    if (w.may_take(coherence::Course::near_pairs)) coherence::test_near_pairs(w);
+    if (w.may_take(coherence::FrameMode::search)) half_shell::pair_tests(w);
+    if (w.may_take(coherence::FrameMode::neighbor_list)) coherence::test_neighbor_list(w);
     return;
   }
   const std::uint64_t most_entries = w.brute_force() ? w.sphere_count() : w.plan.capacity.ids;

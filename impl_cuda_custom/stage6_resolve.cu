@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Stage 6, resolve: decide the doubts.
-// Reads doubts, spheres. Writes pairs, behind the sure ones.
-// Cost: a few doubts in a million pairs, but all pairs of a tangent lattice.
+// Stage 6, resolve: decide the uncertain pairs.
+// Reads uncertain pairs, spheres. Writes pairs, behind the sure ones.
+// Cost: a few uncertain pairs in a million pairs, but all pairs of a tangent lattice.
 // Idea: float64 with an error bound, error-free transformations, integers: the first that is
 //       certain answers. A kernel of its own keeps its registers out of stage 5.
 #include <algorithm>
@@ -16,10 +16,10 @@ namespace {
 constexpr std::uint64_t kMostBlocks = 2048;
 
 __global__ void __launch_bounds__(kBlockThreads)
-    resolve_kernel(const Pair* doubts, std::uint64_t capacity, const Sphere* spheres,
+    resolve_kernel(const Pair* uncertain_pairs, std::uint64_t capacity, const Sphere* spheres,
                    PairList pairs, const State* state) {
   __shared__ PairWriter::Shared shared;
-  const std::uint64_t count = state->doubts;
+  const std::uint64_t count = state->uncertain_pairs;
   if (count > capacity) return;  // some were not kept; the next, larger plan's will be
   PairWriter writer(pairs, shared);
   const std::uint64_t stride = std::uint64_t{gridDim.x} * kBlockThreads;
@@ -27,7 +27,7 @@ __global__ void __launch_bounds__(kBlockThreads)
   if (begin >= count) return;
   for (; begin < count; begin += stride) {
     const std::uint64_t d = begin + threadIdx.x;
-    const Pair pair = d < count ? doubts[d] : Pair{};
+    const Pair pair = d < count ? uncertain_pairs[d] : Pair{};
     writer.push(d < count && overlap(spheres, pair), pair);
   }
   writer.close();
@@ -36,12 +36,12 @@ __global__ void __launch_bounds__(kBlockThreads)
 }  // namespace
 
 void resolve(Workspace& w) {
-  const std::uint64_t room = w.plan.capacity.doubts;
+  const std::uint64_t room = w.plan.capacity.uncertain_pairs;
   if (w.plan.count_only || room == 0) return;  // stage 5 decided what it met
   State* const state = w.state.data();
   const auto blocks = static_cast<unsigned>(std::min<std::uint64_t>(blocks_for(room), kMostBlocks));
   resolve_kernel<<<blocks, kBlockThreads, 0, w.stream>>>(
-      w.doubts.data(), room, w.spheres.data(),
+      w.uncertain_pairs.data(), room, w.spheres.data(),
       {w.pairs.data(), w.plan.capacity.pairs, &state->pairs}, state);
   cuda::check_launch();
 }

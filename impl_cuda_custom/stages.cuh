@@ -37,12 +37,12 @@ struct State {
   std::uint64_t cells = 0;
   std::uint64_t candidates = 0;
   std::uint64_t crowded_tiles = 0;
-  std::uint64_t doubts = 0;
+  std::uint64_t uncertain_pairs = 0;
   std::uint64_t pairs = 0;
   std::uint64_t checksum = 0;  // of the pairs, in a count_only plan
   std::uint32_t violations = 0;
   std::uint32_t blocks_done = 0;  // of stage 2
-  coherence::Course course = coherence::Course::search;
+  coherence::FrameMode mode = coherence::FrameMode::search;
   std::uint32_t out_of_order = 0;  // some id of half_shell is below the one before, or nobody asks
 };
 static_assert(sizeof(State) == 9 * 8 + 4 * 4);
@@ -88,9 +88,10 @@ struct Workspace {
   SceneView scene;  // on the host: words about a sphere are made of it
   cudaStream_t stream = nullptr;
   float growth = 0.0F;  // of each radius in this frame's search, if it has one (see coherence/)
-  std::optional<coherence::Course> course;  // of this frame, supposed or known by the host, or not
-  std::optional<RadixSort> sorter;          // of the methods that have a grid
-  std::optional<RadixSort> grown_sorter;    // the same for grown spheres, where there may be some
+  std::optional<coherence::FrameMode>
+      mode;                               // of this frame, predicted or known by the host, or not
+  std::optional<RadixSort> sorter;        // of the methods that have a grid
+  std::optional<RadixSort> grown_sorter;  // the same for grown spheres, where there may be some
 
   cuda::DeviceArray<State> state;                          // [1]
   cuda::DeviceArray<Sphere> spheres;                       // [spheres]
@@ -103,16 +104,16 @@ struct Workspace {
   cuda::DeviceArray<Sphere> sorted_spheres;       // [spheres + kReadBehind], half_shell only
   cuda::DeviceArray<PackedSphere> sorted_packed;  // the same, packed tests only
   cuda::DeviceArray<std::uint32_t> cell_starts;   // of them; see StartsShape
-  cuda::DeviceArray<Pair> doubts;                 // [plan.capacity.doubts]
+  cuda::DeviceArray<Pair> uncertain_pairs;        // [plan.capacity.uncertain_pairs]
   cuda::DeviceArray<Pair> pairs;                  // [plan.capacity.pairs]
 
   // Between frames, where they may be of use to each other:
-  PinnedArray<coherence::Course> course_taken;  // [1] by the last frame that was opened
-  cuda::DeviceArray<coherence::Kept> kept;      // [1]
-  cuda::DeviceArray<Sphere> sample;             // [coherence::kSampled] in the last frame
-  cuda::DeviceArray<Sphere> copy;               // [spheres] of the last frame, or of none
-  cuda::DeviceArray<Sphere> searched;           // [spheres] in the last search
-  cuda::DeviceArray<Pair> near_pairs;           // [plan.capacity.pairs] of the last search
+  PinnedArray<coherence::FrameMode> mode_taken;  // [1] by the last frame that was opened
+  cuda::DeviceArray<coherence::Kept> kept;       // [1]
+  cuda::DeviceArray<Sphere> sample;              // [coherence::kSampled] in the last frame
+  cuda::DeviceArray<Sphere> copy;                // [spheres] of the last frame, or of none
+  cuda::DeviceArray<Sphere> searched;            // [spheres] in the last search
+  cuda::DeviceArray<Pair> neighbor_list;         // [plan.capacity.pairs] of the last search
 
   [[nodiscard]] std::uint64_t sphere_count() const { return scene.spheres.size(); }
   [[nodiscard]] bool brute_force() const { return plan.method == Method::brute_force; }
@@ -131,14 +132,14 @@ struct Workspace {
                      sphere_count() == plan.facts.sphere_count;
     const bool has_skin = any && plan.skin.growth > 0.0F;
     return {.unchanged = any && plan.allowed.has(Skip::unchanged),
-            .near_pairs = has_skin,
+            .neighbor_list = has_skin,
             .near_room = has_skin ? plan.capacity.pairs : 0};
   }
   [[nodiscard]] bool coherent() const { return allowed().any(); }
   /// As far as the host knows, or supposes.
-  [[nodiscard]] bool may_take(coherence::Course c) const {
-    if (c == coherence::Course::near_pairs && !allowed().near_pairs) return false;
-    return !course || *course == c;
+  [[nodiscard]] bool may_take(coherence::FrameMode c) const {
+    if (c == coherence::FrameMode::neighbor_list && !allowed().neighbor_list) return false;
+    return !mode || *mode == c;
   }
   /// The cells of this frame's search, and what goes with them.
   [[nodiscard]] bool grows() const { return growth > 0.0F; }
@@ -148,7 +149,7 @@ struct Workspace {
   [[nodiscard]] std::uint32_t is_not_asked_for_order() const {
     return plan.allowed.has(Skip::sort) ? 0 : 1;
   }
-  [[nodiscard]] PairTest test() const { return grows() ? PairTest::band_safe : plan.test; }
+  [[nodiscard]] PairTest test() const { return grows() ? PairTest::filter_safe : plan.test; }
 
   /// Cell ids (keys) with their objects (values), [plan.capacity.ids]: on side 0 before the sort.
   [[nodiscard]] KeysAndValues side(int which) const {
@@ -178,13 +179,13 @@ struct Workspace {
     const std::uint32_t grown_starts =
         starts_shape(plan.skin.levels, plan.facts.sphere_count).starts();
     visit(cell_starts, half_shell() ? std::max(starts, grown_starts) : 0);
-    visit(doubts, room.doubts);
+    visit(uncertain_pairs, room.uncertain_pairs);
     visit(pairs, room.pairs);
     visit(kept, coherent() ? 1 : 0);
     visit(sample, coherent() ? coherence::kSampled : 0);
     visit(copy, allowed().unchanged ? sphere_count() : 0);
-    visit(searched, allowed().near_pairs ? sphere_count() : 0);
-    visit(near_pairs, allowed().near_room);
+    visit(searched, allowed().neighbor_list ? sphere_count() : 0);
+    visit(neighbor_list, allowed().near_room);
   }
 };
 

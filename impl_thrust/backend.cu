@@ -50,7 +50,7 @@ class ThrustBackend final : public GridPairFinder {
     found.ids = w_.id_count;
     found.cells = w_.cell_count;
     found.candidates = w_.candidates;
-    found.doubts = w_.doubt_count;
+    found.uncertain_pairs = w_.uncertain_count;
     found.pairs = w_.pair_count;
     found.over_candidate_limit = w_.candidates > w_.plan.candidate_limit;
     found.plan_violation = w_.violation;

@@ -12,11 +12,11 @@ __attribute__((noinline)) OCTOCELL_HD bool overlap(const Sphere& a, const Sphere
   return overlap_exact(a, b);
 }
 
-/// Decides a doubt.
+/// Decides an uncertain pair.
 struct Overlaps {
   const Sphere* spheres;
   OCTOCELL_HD bool operator()(Pair pair) const {
-    return OCTOCELL_FAULT(thrust_doubts_taken_as_pairs, true,
+    return OCTOCELL_FAULT(thrust_uncertain_pairs_taken_as_pairs, true,
                           overlap(spheres[pair.i], spheres[pair.j]));
   }
 };

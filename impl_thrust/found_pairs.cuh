@@ -15,8 +15,8 @@
 
 namespace octocell::on_thrust {
 
-// A `Test` says which pairs a work item finds: test.run(k, on_sure, on_doubt) calls one of the two
-// with each, the same ones in the same order however often it is asked.
+// A `Test` says which pairs a work item finds: test.run(k, on_sure, on_uncertain) calls one of the
+// two with each, the same ones in the same order however often it is asked.
 
 template <typename Test>
 struct CountFound {
@@ -26,14 +26,14 @@ struct CountFound {
     Found found = {0, 0};
     if (k == entries) return found;  // one past the last: the sum of all
     test.run(
-        k, [&](Pair) { ++found.sure; }, [&](Pair) { ++found.doubts; });
+        k, [&](Pair) { ++found.sure; }, [&](Pair) { ++found.uncertain_pairs; });
     return found;
   }
 };
 
 struct FoundByBoth {
   OCTOCELL_HD Found operator()(const Found& a, const Found& b) const {
-    return {a.sure + b.sure, a.doubts + b.doubts};
+    return {a.sure + b.sure, a.uncertain_pairs + b.uncertain_pairs};
   }
 };
 
@@ -41,21 +41,22 @@ template <typename Test>
 struct WriteFound {
   Test test;
   const Found* found_before;
-  Pair* pairs;   // none: no room
-  Pair* doubts;  // likewise
+  Pair* pairs;            // none: no room
+  Pair* uncertain_pairs;  // likewise
   OCTOCELL_HD void operator()(std::uint64_t k) const {
     Found at = found_before[k];
     const Found end = found_before[k + 1];
     const bool writes_pairs = pairs != nullptr && at.sure != end.sure;
-    const bool writes_doubts = doubts != nullptr && at.doubts != end.doubts;
-    if (!writes_pairs && !writes_doubts) return;
+    const bool writes_uncertain_pairs =
+        uncertain_pairs != nullptr && at.uncertain_pairs != end.uncertain_pairs;
+    if (!writes_pairs && !writes_uncertain_pairs) return;
     test.run(
         k,
         [&](Pair pair) {
           if (writes_pairs) pairs[at.sure++] = pair;
         },
         [&](Pair pair) {
-          if (writes_doubts) doubts[at.doubts++] = pair;
+          if (writes_uncertain_pairs) uncertain_pairs[at.uncertain_pairs++] = pair;
         });
   }
 };
@@ -72,7 +73,7 @@ struct DigestOfBoth {
   }
 };
 
-/// A count_only plan has no room for doubts: they are decided where they are found.
+/// A count_only plan has no room for uncertain pairs: they are decided where they are found.
 template <typename Test>
 struct DigestFound {
   Test test;
@@ -82,7 +83,7 @@ struct DigestFound {
     Digest digest = {0, 0};
     const Found at = found_before[k];
     const Found end = found_before[k + 1];
-    if (at.sure == end.sure && at.doubts == end.doubts) return digest;
+    if (at.sure == end.sure && at.uncertain_pairs == end.uncertain_pairs) return digest;
     const auto take = [&](Pair pair) {
       ++digest.count;
       digest.checksum += mix_pair(pair);
@@ -106,7 +107,7 @@ void count_scan_write(Workspace<System>& w, const Test& test) {
                          FoundByBoth{});
   const Found total = w.system.read(found + entries);
   w.sure_count = w.pair_count = total.sure;
-  w.doubt_count = total.doubts;
+  w.uncertain_count = total.uncertain_pairs;
   if (w.plan.count_only) {
     const Digest digest = thrust::transform_reduce(w.system.policy(), first, end,
                                                    DigestFound<Test>{test, found, {w.spheres}},
@@ -115,9 +116,10 @@ void count_scan_write(Workspace<System>& w, const Test& test) {
     w.checksum = digest.checksum;
     return;
   }
-  thrust::for_each(w.system.policy(), first, end,
-                   WriteFound<Test>{test, found, w.pairs_complete() ? w.pairs.data() : nullptr,
-                                    w.doubts_complete() ? w.doubts.data() : nullptr});
+  thrust::for_each(
+      w.system.policy(), first, end,
+      WriteFound<Test>{test, found, w.pairs_complete() ? w.pairs.data() : nullptr,
+                       w.uncertain_pairs_complete() ? w.uncertain_pairs.data() : nullptr});
 }
 
 }  // namespace octocell::on_thrust

@@ -82,7 +82,7 @@ bool on_planned_lattice(Workspace<System>& w) {
 template <typename System>
 void leave_nothing(Workspace<System>& w) {
   w.id_count = w.cell_count = 0;
-  w.sure_count = w.pair_count = w.doubt_count = w.checksum = 0;
+  w.sure_count = w.pair_count = w.uncertain_count = w.checksum = 0;
   if (some_may_collide(w.scene.flags)) w.violation = kFlagsBroken;
 }
 

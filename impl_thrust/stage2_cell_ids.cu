@@ -18,13 +18,13 @@
 namespace octocell::on_thrust {
 namespace {
 
-/// Rules lowest_cell and chapter32: the cells that the box p +- reach meets.
+/// Rules lowest_cell and chapter32: the cells that the box p +- extent meets.
 struct GridCells {
   Grid grid;
-  bool scaled;  // reach is r, or chapter32's
+  bool scaled;  // extent is r, or chapter32's
 
   [[nodiscard]] OCTOCELL_HD CellRange range(const Sphere& s) const {
-    return cells_met(grid, s, scaled ? chapter32::reach(s.r) : s.r);
+    return cells_met(grid, s, scaled ? chapter32::extent(s.r) : s.r);
   }
   [[nodiscard]] OCTOCELL_HD Cell home(const Sphere& s) const {
     return cell_of(grid, s.x, s.y, s.z);

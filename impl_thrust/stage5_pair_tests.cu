@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stage 5, pair_tests: which spheres that share a cell overlap?
-// Reads spheres, sorted objects, cell index. Writes sure pairs, and doubts for stage 6.
+// Reads spheres, sorted objects, cell index. Writes sure pairs, and uncertain pairs for stage 6.
 // Cost: 16 bytes gathered an id; each candidate is looked at twice where its row finds something.
 // Idea: count, scan, write. One work item an entry meets the entries after it in its cell; what it
 //       finds is counted, a scan gives each row its place, and rows that found something test again
@@ -59,8 +59,8 @@ struct RowTest {
   PairTest test;
   RuleTest rule;
 
-  template <typename OnSure, typename OnDoubt>
-  OCTOCELL_HD void run(std::uint64_t k, OnSure on_sure, OnDoubt on_doubt) const {
+  template <typename OnSure, typename OnUncertain>
+  OCTOCELL_HD void run(std::uint64_t k, OnSure on_sure, OnUncertain on_uncertain) const {
     const Object a = objects[k];
     if (rule.rows_are_homes() && (a & kPhantom) != 0) return;
     const std::uint64_t end = cell_end != nullptr ? cell_end[k] : entries;
@@ -75,7 +75,7 @@ struct RowTest {
       if (is_sure(test, p, q)) {
         on_sure(pair);
       } else {
-        on_doubt(pair);
+        on_uncertain(pair);
       }
     }
   }
@@ -98,7 +98,7 @@ RowTest gather_rows(Workspace<System>& w) {
 
 template <typename System>
 void pair_tests(Workspace<System>& w) {
-  w.sure_count = w.pair_count = w.doubt_count = w.checksum = 0;
+  w.sure_count = w.pair_count = w.uncertain_count = w.checksum = 0;
   if (w.sphere_count() == 0) return;
   if (w.brute_force()) w.candidates = w.sphere_count() * (w.sphere_count() - 1) / 2;
   if (!w.may_test_pairs()) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Stage 6, resolve: decide the doubts.
-// Reads doubts, spheres. Writes pairs.
-// Cost: about 10 ns a doubt on one thread; a few doubts in a million pairs, but all pairs of a
+// Stage 6, resolve: decide the uncertain pairs.
+// Reads uncertain pairs, spheres. Writes pairs.
+// Cost: about 10 ns a pair on one thread; a few in a million are uncertain, but all pairs of a
 //       tangent lattice. Where they may not all fit, they are decided once more, to be counted.
 // Idea: float64 with an error bound, error-free transformations, integers: the first that is
 //       certain answers; copy_if keeps what it confirms, behind the sure pairs.
@@ -18,17 +18,18 @@ namespace octocell::on_thrust {
 template <typename System>
 void resolve(Workspace<System>& w) {
   if (w.plan.count_only) return;  // stage 5 decided what it met
-  if (w.doubt_count == 0 || !w.doubts_complete()) return;
-  const Pair* const doubts = w.doubts.data();
-  const Pair* const end = doubts + w.doubt_count;
+  if (w.uncertain_count == 0 || !w.uncertain_pairs_complete()) return;
+  const Pair* const uncertain_pairs = w.uncertain_pairs.data();
+  const Pair* const end = uncertain_pairs + w.uncertain_count;
   const Overlaps overlaps = {w.spheres};
-  if (w.sure_count + w.doubt_count > w.plan.capacity.pairs) {
-    w.pair_count +=
-        static_cast<std::uint64_t>(thrust::count_if(w.system.policy(), doubts, end, overlaps));
+  if (w.sure_count + w.uncertain_count > w.plan.capacity.pairs) {
+    w.pair_count += static_cast<std::uint64_t>(
+        thrust::count_if(w.system.policy(), uncertain_pairs, end, overlaps));
     if (!w.pairs_complete()) return;
   }
   Pair* const behind = w.pairs.data() + w.sure_count;
-  const Pair* const last = thrust::copy_if(w.system.policy(), doubts, end, behind, overlaps);
+  const Pair* const last =
+      thrust::copy_if(w.system.policy(), uncertain_pairs, end, behind, overlaps);
   w.pair_count = w.sure_count + static_cast<std::uint64_t>(last - behind);
 }
 

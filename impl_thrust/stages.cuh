@@ -22,7 +22,7 @@ using Positions = thrust::counting_iterator<std::uint64_t>;
 /// How many pairs one entry finds; after the scan, where they go.
 struct Found {
   std::uint64_t sure;
-  std::uint64_t doubts;
+  std::uint64_t uncertain_pairs;
 };
 
 /// Method half_shell: the columns of one y and one z of a level that hold spheres.
@@ -55,7 +55,7 @@ struct Workspace {
   Array<Sphere> members;                       // [entries] each entry's sphere, with stored radius
   Array<Row> rows;                             // [plan.capacity.cells + 1], half_shell only
   Array<Found> found;                          // [entries + 1]
-  Array<Pair> doubts;                          // [plan.capacity.doubts]
+  Array<Pair> uncertain_pairs;                 // [plan.capacity.uncertain_pairs]
   Array<Pair> pairs;                           // [plan.capacity.pairs]
 
   // What was met; past a capacity it is what is needed, and the array holds nothing.
@@ -63,7 +63,7 @@ struct Workspace {
   std::uint64_t cell_count = 0;
   std::uint64_t candidates = 0;
   Skips used;  // of those that only the data can allow
-  std::uint64_t doubt_count = 0;
+  std::uint64_t uncertain_count = 0;
   std::uint64_t sure_count = 0;
   std::uint64_t pair_count = 0;
   std::uint64_t checksum = 0;  // of the pairs, in a count_only plan
@@ -76,7 +76,9 @@ struct Workspace {
   [[nodiscard]] std::uint64_t entries() const { return brute_force() ? sphere_count() : id_count; }
 
   [[nodiscard]] bool ids_complete() const { return brute_force() || id_count <= plan.capacity.ids; }
-  [[nodiscard]] bool doubts_complete() const { return doubt_count <= plan.capacity.doubts; }
+  [[nodiscard]] bool uncertain_pairs_complete() const {
+    return uncertain_count <= plan.capacity.uncertain_pairs;
+  }
   [[nodiscard]] bool pairs_complete() const { return pair_count <= plan.capacity.pairs; }
   /// Whether later stages have something sound to work on.
   [[nodiscard]] bool may_test_pairs() const {
@@ -99,7 +101,7 @@ struct Workspace {
       cell_end.allocate(room.ids);
       cells.allocate(room.cells);
     }
-    doubts.allocate(room.doubts);
+    uncertain_pairs.allocate(room.uncertain_pairs);
     pairs.allocate(room.pairs);
   }
 };

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # On a machine with a GPU, from an unpacked bundle: what proves it and what is published.
-# gpu_run.sh STEP..., steps being tests, check, stress, near_ties, sanitizers, mutants, sort, bench, large (default: tests check).
+# gpu_run.sh STEP..., steps being tests, check, stress, near_tangent, sanitizers, mutants, sort, bench, large (default: tests check).
 # OUT names the folder for logs and JSON (default: out, beside this file).
 # shellcheck disable=SC2317  # steps are called by their names
 set -uo pipefail
@@ -55,9 +55,9 @@ stress() {  # SIZE: slice, quick (minutes) or full (hours)
   quietly stress "$octocell" stress --backend ours --size "${SIZE:-quick}" -o "$OUT/stress.json"
 }
 
-near_ties() {  # the predicate against integers: minutes
-  quietly near_ties_gpu "$octocell" near-ties --device --pairs "${NEAR_TIES:-2e9}" -o "$OUT/near_ties_gpu.json"
-  quietly near_ties_cpu "$octocell" near-ties --pairs "${NEAR_TIES_CPU:-2e8}" -o "$OUT/near_ties_cpu.json"
+near_tangent() {  # the predicate against integers: minutes
+  quietly near_tangent_gpu "$octocell" near-tangent --device --pairs "${NEAR_TANGENT:-2e9}" -o "$OUT/near_tangent_gpu.json"
+  quietly near_tangent_cpu "$octocell" near-tangent --pairs "${NEAR_TANGENT_CPU:-2e8}" -o "$OUT/near_tangent_cpu.json"
 }
 
 sanitizers() {  # small scenes: the tools make everything hundreds of times slower
@@ -68,7 +68,7 @@ sanitizers() {  # small scenes: the tools make everything hundreds of times slow
       "$here/tests/test_radix_sort" --gtest_brief=1 --gtest_filter='*FewerPairs*:*NoMore*:*AgreesWith*' &
     quietly "sanitize_frames_$tool" compute-sanitizer --tool "$tool" --error-exitcode 9 \
       "$here/tests/test_cuda_coherence" --gtest_brief=1 \
-      --gtest_filter='*OnlyCounted*:*MoreDoubts*:*AnotherNumber*:*ThatFailed*:*OtherFlags*' &
+      --gtest_filter='*OnlyCounted*:*MoreUncertainPairs*:*AnotherNumber*:*ThatFailed*:*OtherFlags*' &
   done
   for tool in memcheck initcheck; do  # the others would take a quarter of an hour
     quietly "sanitize_precision_$tool" compute-sanitizer --tool "$tool" --error-exitcode 9 \

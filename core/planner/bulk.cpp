@@ -18,7 +18,7 @@ constexpr std::size_t kGlance = 64;
 constexpr std::array<double, 3> kOutside = {1.0 / 64, 1.0 / 16, 1.0 / 4};
 /// Three widths of what is between them is how far the bulk may reach: a uniform one by far, a
 /// Gaussian one but for a few in a million.
-constexpr double kReach = 3.0;
+constexpr double kSpread = 3.0;
 /// Of the width of the sample's box, on either side: it lacks the spheres that are farthest out.
 constexpr double kMargin = 0.125;
 
@@ -64,9 +64,9 @@ bool is_worth_a_look(const PlanFacts& facts, const std::vector<Sphere>& sample) 
 /// What the bulk takes of an axis.
 Interval bulk_of_axis(const Interval& all, const std::vector<double>& sorted, double outside) {
   const Interval core = middle(sorted, outside);
-  const double reach = kReach * core.width();
-  const double lowest = *std::ranges::lower_bound(sorted, core.low - reach);
-  const double highest = *(std::ranges::upper_bound(sorted, core.high + reach) - 1);
+  const double spread = kSpread * core.width();
+  const double lowest = *std::ranges::lower_bound(sorted, core.low - spread);
+  const double highest = *(std::ranges::upper_bound(sorted, core.high + spread) - 1);
   const double margin = kMargin * (highest - lowest);
   const Interval bulk = {std::max(lowest - margin, all.low), std::min(highest + margin, all.high)};
   return all.width() > kNearly * bulk.width() ? bulk : all;

@@ -18,7 +18,7 @@ constexpr double kPays = 0.75;
 
 /// Sound only while a rounding of p +- S is small beside r_max (docs/exactness.md, claim C).
 void require_chapter32(const PlanFacts& facts) {
-  const double ulp = farthest_ulp(facts, chapter32::reach(facts.r_max));
+  const double ulp = farthest_ulp(facts, chapter32::extent(facts.r_max));
   if (ulp <= facts.r_max / 2.0) return;
   throw LimitError(fmt::format(
       "rule chapter32 does not hold for this scene: float32 has steps of {} at its far end, more "
@@ -38,7 +38,7 @@ Grid choose_grid(const SceneStats& stats, const PlanOptions& options) {
         return cheapest_grid(stats, options.costs);  // no phantoms: any cells will do
       require_chapter32(stats.facts);
       return make_grid(stats.facts, chapter32::cell_side(r_max),
-                       widest_box(stats.facts, chapter32::reach(r_max)));
+                       widest_box(stats.facts, chapter32::extent(r_max)));
     case Rule::as_written:
       break;
   }

@@ -13,17 +13,18 @@ PairTest exact_test(const SceneStats& stats, const PlanOptions& options) {
   const PlanFacts& facts = stats.facts;
   const Skips allowed = options.allowed;
   // What moves does not stay on a lattice.
-  if (facts.lattice_units_per_length != 0.0 && allowed.has(Skip::doubts) && !options.moving) {
+  if (facts.lattice_units_per_length != 0.0 && allowed.has(Skip::uncertain_pairs) &&
+      !options.moving) {
     return PairTest::f32;
   }
-  if (!allowed.has(Skip::safe_band)) return PairTest::band_safe;
-  if (facts.r_max == 0.0F) return PairTest::band_fast;
-  if (OCTOCELL_FAULT(fast_band_for_tiny_radii, false, facts.r_min_nonzero < kFastRadiusMin) ||
+  if (!allowed.has(Skip::safe_filter)) return PairTest::filter_safe;
+  if (facts.r_max == 0.0F) return PairTest::filter_fast;
+  if (OCTOCELL_FAULT(fast_filter_for_tiny_radii, false, facts.r_min_nonzero < kFastRadiusMin) ||
       facts.r_max > kFastRadiusMax) {
-    return PairTest::band_safe;
+    return PairTest::filter_safe;
   }
   const bool equal = facts.r_min == facts.r_max && allowed.has(Skip::equal_radii);
-  return equal ? PairTest::band_equal : PairTest::band_fast;
+  return equal ? PairTest::filter_equal : PairTest::filter_fast;
 }
 
 /// The finest unit in which `length` is at most so many.
@@ -60,8 +61,9 @@ PairTest choose_test(const SceneStats& stats, const PlanOptions& options) {
 }
 
 PlanFacts needed_facts(PlanFacts facts, Predicate predicate, PairTest test) {
-  if (test != PairTest::band_equal) facts.r_min = 0.0F;
-  if (predicate != Predicate::exact || has_doubts(test)) facts.lattice_units_per_length = 0.0;
+  if (test != PairTest::filter_equal) facts.r_min = 0.0F;
+  if (predicate != Predicate::exact || has_uncertain_pairs(test))
+    facts.lattice_units_per_length = 0.0;
   return facts;
 }
 

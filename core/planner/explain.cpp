@@ -53,7 +53,7 @@ std::string method_of(const Plan& plan) {
   if (plan.rule == Rule::as_written) {
     return fmt::format(
         "home_phantom, rule as_written: the text's own cells of side {:g} (an "
-        "exhibit: it loses pairs)",
+        "negative control: it loses pairs)",
         plan.grid.cell_side);
   }
   return fmt::format("home_phantom, rule {}: {}", name_of(plan.rule), cells_of(plan.grid));
@@ -69,8 +69,9 @@ std::string sort_of(const Plan& plan) {
 std::string predicate_of(const Plan& plan) {
   if (plan.predicate != Predicate::exact) return std::string(name_of(plan.predicate));
   if (plan.test == PairTest::f32) return "plain float32, exact on this scene's lattice";
-  return plan.test == PairTest::band_safe ? "float32 with a band and guards; doubts exactly"
-                                          : "float32 with a band, without guards; doubts exactly";
+  return plan.test == PairTest::filter_safe
+             ? "float32 with a filter and guards; uncertain pairs exactly"
+             : "float32 with a filter, without guards; uncertain pairs exactly";
 }
 
 /// What of the scene speaks for or against a skip.
@@ -96,12 +97,12 @@ std::string fact_of(Skip skip, const SceneStats& stats, const Plan& plan, bool t
                    : "every axis has more than one layer of cells";
     case Skip::key_bits:
       return fmt::format("ids stay below 2^{}", plan.key_bits);
-    case Skip::safe_band:
+    case Skip::safe_filter:
       return fmt::format("radii lie in [{:g}, {:g}]", f.r_min_nonzero, f.r_max);
     case Skip::equal_radii:
       return f.r_min == f.r_max ? fmt::format("all radii are {:g}", f.r_max)
                                 : fmt::format("radii range from {:g} to {:g}", f.r_min, f.r_max);
-    case Skip::doubts:
+    case Skip::uncertain_pairs:
       return f.lattice_units_per_length != 0.0
                  ? fmt::format("all numbers are multiples of 2^{}",
                                -std::ilogb(f.lattice_units_per_length))
@@ -140,7 +141,7 @@ std::string percent(double part) { return fmt::format("{:.0f} %", 100.0 * part);
 
 std::string savings_of(const Decision& d) {
   if (!d.expected_saving && !d.measured_saving) return {};
-  std::string text = "|                     saves ";
+  std::string text = "|                         saves ";
   if (d.measured_saving) text += percent(*d.measured_saving) + " of the time, measured";
   if (d.expected_saving && d.measured_saving) text += "; ";
   if (d.expected_saving) text += percent(*d.expected_saving) + " expected";
@@ -149,10 +150,10 @@ std::string savings_of(const Decision& d) {
 
 std::string branch_of(const Decision& d) {
   const SkipInfo& info = kSkips[static_cast<std::size_t>(d.skip)];
-  if (!d.taken) return fmt::format("|-- keeps {:<12}{}\n", info.name, d.fact);
+  if (!d.taken) return fmt::format("|-- keeps {:<16}{}\n", info.name, d.fact);
   return fmt::format(
-             "|-- SKIPS {:<12}{}\n"
-             "|                     for {}; safe, since {}\n",
+             "|-- SKIPS {:<16}{}\n"
+             "|                         because {}; safe, since {}\n",
              info.name, info.saves, d.fact, info.proof) +
          savings_of(d);
 }

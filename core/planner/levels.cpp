@@ -29,7 +29,7 @@ double share_near_border(const Level& level, int axis, const ShellCosts& costs) 
 
 /// The columns that partners of a sphere may lie in, as a part of a cell.
 double window_in_cells(const Level& level) {
-  return (2.0 * level.reach + 1.0) / columns_per_cell(level.grid);
+  return (2.0 * level.column_reach + 1.0) / columns_per_cell(level.grid);
 }
 
 double cost_within(const Level& level, const Members& members, const Crowding& crowding,

@@ -97,18 +97,18 @@ Grid grid_with_unit(const PlanFacts& facts, int k, double cell_side, std::uint32
 
 }  // namespace
 
-double farthest_ulp(const PlanFacts& facts, float reach) {
+double farthest_ulp(const PlanFacts& facts, float extent) {
   float farthest = 0.0F;
   for (int a = 0; a < 3; ++a) {
     farthest = std::max(
-        {farthest, std::fabs(facts.lowest[a] - reach), std::fabs(facts.highest[a] + reach)});
+        {farthest, std::fabs(facts.lowest[a] - extent), std::fabs(facts.highest[a] + extent)});
   }
   farthest = std::min(farthest, std::nextafter(kFloatMax, 0.0F));
   return static_cast<double>(std::nextafter(farthest, kFloatMax)) - farthest;
 }
 
-double widest_box(const PlanFacts& facts, float reach) {
-  return 2.0 * reach + farthest_ulp(facts, reach);
+double widest_box(const PlanFacts& facts, float extent) {
+  return 2.0 * extent + farthest_ulp(facts, extent);
 }
 
 Grid make_grid(const PlanFacts& facts, double cell_side, double widest) {
@@ -131,8 +131,9 @@ Level make_level(const PlanFacts& facts, float r_max, double cell_side, std::uin
   const Grid& grid = level.grid;
   const std::uint32_t column_units = grid.width[0].units;
   const auto diameter_units = static_cast<std::uint32_t>(std::ceil(least * grid.units_per_length));
-  level.reach = (diameter_units + OCTOCELL_FAULT(level_reach_rounded_down, 0U, column_units - 1)) /
-                column_units;
+  level.column_reach =
+      (diameter_units + OCTOCELL_FAULT(column_reach_rounded_down, 0U, column_units - 1)) /
+      column_units;
   level.ids = 1;
   for (int a = 0; a < 3; ++a) level.ids *= grid.period(a);
   return level;

@@ -49,7 +49,7 @@ Capacities first_capacities(const SceneStats& stats, const Plan& plan) {
     room.cells = stats.facts.sphere_count;  // rows: each holds a sphere
   }
   room.pairs = pair_capacity(stats.facts.sphere_count, plan.count_only);
-  room.doubts = room.pairs;
+  room.uncertain_pairs = room.pairs;
   return room;
 }
 
@@ -101,9 +101,11 @@ Skips taken_by(const Plan& plan) {
   take_if(is_flat(plan), Skip::layers);
   const bool has_ids = plan.method != Method::brute_force && plan.facts.sphere_count > 0;
   take_if(has_ids && plan.key_bits < kIdBits, Skip::key_bits);
-  take_if(plan.test == PairTest::band_fast || plan.test == PairTest::band_equal, Skip::safe_band);
-  take_if(plan.test == PairTest::band_equal, Skip::equal_radii);
-  take_if(plan.predicate == Predicate::exact && !has_doubts(plan.test), Skip::doubts);
+  take_if(plan.test == PairTest::filter_fast || plan.test == PairTest::filter_equal,
+          Skip::safe_filter);
+  take_if(plan.test == PairTest::filter_equal, Skip::equal_radii);
+  take_if(plan.predicate == Predicate::exact && !has_uncertain_pairs(plan.test),
+          Skip::uncertain_pairs);
   return taken;
 }
 
@@ -143,12 +145,12 @@ std::string why_not(const Plan& plan, Skip skip) {
     case Skip::wide_cells:
       return fmt::format("radii from {:g} to {:g} are all of one octave", plan.facts.r_min_nonzero,
                          plan.facts.r_max);
-    case Skip::safe_band:
+    case Skip::safe_filter:
       return fmt::format("radii from {:g} to {:g} do not all lie in [2^-60, 2^62]",
                          plan.facts.r_min_nonzero, plan.facts.r_max);
     case Skip::equal_radii:
-      return "radii differ, or need guards, or no band is needed";
-    case Skip::doubts:
+      return "radii differ, or need guards, or no filter is needed";
+    case Skip::uncertain_pairs:
       return "the numbers lie on no lattice that is coarse enough";
     case Skip::key_bits:
       return "the ids need all their bits";
@@ -245,7 +247,7 @@ Plan grow(const Plan& plan, const Counts& found) {
   next.capacity.ids = std::max(plan.capacity.ids, found.ids);
   next.capacity.cells = std::max({plan.capacity.cells, found.cells, next.capacity.ids / 2 + 1});
   if (plan.count_only) return next;
-  next.capacity.doubts = std::max(plan.capacity.doubts, found.doubts);
+  next.capacity.uncertain_pairs = std::max(plan.capacity.uncertain_pairs, found.uncertain_pairs);
   next.capacity.pairs = std::max(plan.capacity.pairs, found.pairs);
   return next;
 }

@@ -75,11 +75,11 @@ Plan plan_buffers(std::uint64_t sphere_count, const PlanOptions& options);
 /// where that is more than positions of 32 bits can count.
 Plan grow(const Plan& plan, const Counts& found);
 
-/// The step of float32 at the far end of the scene's boxes p +- reach.
-double farthest_ulp(const PlanFacts& facts, float reach);
+/// The step of float32 at the far end of the scene's boxes p +- extent.
+double farthest_ulp(const PlanFacts& facts, float extent);
 
-/// The widest box [p - reach, p + reach] that can occur, its ends rounded to float32.
-double widest_box(const PlanFacts& facts, float reach);
+/// The widest box [p - extent, p + extent] that can occur, its ends rounded to float32.
+double widest_box(const PlanFacts& facts, float extent);
 
 /// The finest grid over the box of centres whose cell side is at least `cell_side`, with ids below
 /// 2^31. Where a dense numbering would need more, axes wrap; a wrapped axis has a period of at
@@ -90,7 +90,7 @@ Grid make_grid(const PlanFacts& facts, double cell_side, double widest);
 /// The finest grid for half_shell over the box of centres whose cells are at least `cell_side` and
 /// two `r_max` wide, cut into at most `columns` columns, with ids below 2^most_bits. Axes wrap as
 /// above; 2^most_bits >= 2^27 leaves a wrapped axis a period of 2^8 or more, where four cells and
-/// two reaches are needed.
+/// two extents are needed.
 Level make_level(const PlanFacts& facts, float r_max, double cell_side, std::uint32_t columns,
                  int most_bits);
 

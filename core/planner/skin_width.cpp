@@ -27,13 +27,13 @@ void SkinWidth::reset(float most, const SkinCosts& costs, float static_share) {
   next_pause_ = kFirstPause;
 }
 
-/// `growth` of the mean radius; near pairs are as the cube of the mean of two, as in a gas.
+/// `growth` of the mean radius; neighbor pairs are as the cube of the mean of two, as in a gas.
 float SkinWidth::cost_a_frame(float growth, float frames) const {
   const float moving = 1.0F - static_share_;
   const float near = moving * moving * cube(1.0F + growth) +
                      2.0F * moving * static_share_ * cube(1.0F + growth / 2.0F);
   const float served =
-      moving * costs_.fetch + static_share_ * costs_.compare + costs_.near_pairs * near;
+      moving * costs_.fetch + static_share_ * costs_.compare + costs_.neighbor_list * near;
   return (costs_.list + (frames - 1.0F) * served) / frames;
 }
 

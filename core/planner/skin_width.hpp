@@ -15,14 +15,14 @@ struct FrameMotion {
 /// What a skin costs a backend, in times of a search. The defaults are impl_cpu's
 /// (docs/decisions/0016-frame-coherence.md).
 struct SkinCosts {
-  float list = 1.6F;         // the search of grown spheres, and the list
-  float fetch = 0.15F;       // each frame: every sphere fetched and compared
-  float compare = 0.07F;     // each frame: the same for static ones
-  float near_pairs = 0.12F;  // each frame: the near pairs of ungrown spheres
+  float list = 1.6F;            // the search of grown spheres, and the list
+  float fetch = 0.15F;          // each frame: every sphere fetched and compared
+  float compare = 0.07F;        // each frame: the same for static ones
+  float neighbor_list = 0.12F;  // each frame: the neighbor pairs of ungrown spheres
 };
 
 /// How wide a skin pays, if any does. A wide one lasts for many frames, each of which tests many
-/// near pairs; a narrow one is soon left. Only time depends on what it says.
+/// neighbor pairs; a narrow one is soon left. Only time depends on what it says.
 class SkinWidth {
  public:
   /// `most`: the most that a radius may grow by. Static spheres do not.

@@ -88,12 +88,12 @@ Subject film(const Group& group, const std::function<bool(std::size_t)>& goes_on
   return subject;
 }
 
-/// Exhibits are kept because they are wrong, and a library may lose pairs by a fault it is known
-/// for.
+/// Negative controls are kept because they are wrong, and a library may lose pairs by a fault it is
+/// known for.
 bool is_failure(const RowRunner& runner) {
   const Implementation& how = runner.row().how;
-  const bool excused = how.has_known_faults() && runner.result().difference.only_missed();
-  return runner.result().wrong() && !how.exhibit() && !excused;
+  const bool excused = how.has_known_issues() && runner.result().difference.only_missed();
+  return runner.result().wrong() && !how.negative_control() && !excused;
 }
 
 nlohmann::ordered_json class_of(const Group& group) {

@@ -33,8 +33,8 @@ struct BenchOptions {
 /// hands the rest to Google Benchmark. Throws InputError for a flag that neither knows.
 void take_benchmark_flags(BenchOptions& options, std::vector<std::string> arguments);
 
-/// Returns the exit code: 0; 1 if a row that is no exhibit is wrong; 130 after Ctrl-C, with every
-/// finished group in the output. Throws InputError.
+/// Returns the exit code: 0; 1 if a row that is no negative control is wrong; 130 after Ctrl-C,
+/// with every finished group in the output. Throws InputError.
 int run_bench(const BenchOptions& options);
 
 /// The child process behind the memory column: finds the pairs once and prints

@@ -180,7 +180,7 @@ std::vector<Group> gpu_groups() {
 
 /// Time of a frame that may take over from the last, and with flags beside the same without.
 std::vector<Group> frames_groups() {
-  constexpr int kFrames = 44;  // enough to see lists of near pairs come and go
+  constexpr int kFrames = 44;  // enough to see neighbor lists come and go
   constexpr int kRounds = 5;
   std::vector<Group> groups;
   for (const Motion motion :
@@ -189,8 +189,8 @@ std::vector<Group> frames_groups() {
   }
   add_static(groups, Motion::brownian, kFrames, kRounds);
   groups.push_back(groups.back());
-  groups.back().scene += "_untold";
-  groups.back().untold_flags = true;
+  groups.back().scene += "_without_flags";
+  groups.back().without_flags = true;
   return groups;
 }
 
@@ -283,10 +283,10 @@ Footage footage_of(const Group& group) {
         scene.spec, {std::move(scene.spheres)}, std::move(scene.flags), std::move(scene.unrounded)};
   }
   Frames frames = move(scene.spheres, *group.motion, group.frames, kMotionSeed, scene.flags);
-  if (group.untold_flags) scene.flags.clear();
+  if (group.without_flags) scene.flags.clear();
   return {fmt::format("{} {} frames={}{}", scene.spec,
                       kMotionNames[static_cast<std::size_t>(*group.motion)], group.frames,
-                      group.untold_flags ? " without flags" : ""),
+                      group.without_flags ? " without flags" : ""),
           std::move(frames), std::move(scene.flags), std::move(scene.unrounded)};
 }
 

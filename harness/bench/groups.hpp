@@ -32,7 +32,7 @@ struct Group {
   std::uint64_t n = 0;                    // spheres
   std::string argument;                   // for load_or_generate()
   std::optional<std::string> flags = {};  // the side file that goes with it
-  bool untold_flags = false;              // they say who moves, but no finder is told
+  bool without_flags = false;             // they say who moves, but no finder is told
   std::string unavailable = {};           // why a real scene is not there; empty if it is
   std::optional<Motion> motion = {};      // of a group that moves
   std::string trajectory = {};            // or the folder of its frames

@@ -15,7 +15,7 @@ namespace octocell::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr int kSchema = 1;
+constexpr int kSchema = 2;
 
 Json identity(const Group& group, const RowSpec& row) {
   const Implementation& how = row.how;
@@ -30,8 +30,8 @@ Json identity(const Group& group, const RowSpec& row) {
           {"n", group.n},
           {"threads", row.threads},
           {"run", name_of(row.run)},
-          {"exhibit", how.exhibit()},
-          {"known_faults", how.has_known_faults() ? Json(how.backend->known_faults) : Json()}};
+          {"negative_control", how.negative_control()},
+          {"known_issues", how.has_known_issues() ? Json(how.backend->known_issues) : Json()}};
 }
 
 void add_answer(Json& json, const RowSpec& row, const RowResult& result) {
@@ -51,7 +51,8 @@ void add_answer(Json& json, const RowSpec& row, const RowResult& result) {
   json["worst_false_gap"] = if_any(result.difference.worst_false_gap);
   json["distinct_checksums"] = unless_skipped(result.distinct_checksums());
   json["candidates"] = unless_skipped(result.counts.candidates);
-  json["doubts"] = row.how.is_baseline() ? Json() : unless_skipped(result.counts.doubts);
+  json["uncertain_pairs"] =
+      row.how.is_baseline() ? Json() : unless_skipped(result.counts.uncertain_pairs);
 }
 
 /// What was chosen for the scene, and what was left out.

@@ -13,9 +13,10 @@ namespace {
 
 /// The order in which the report's waterfall adds them.
 constexpr Skip kFromTextToPlan[] = {
-    Skip::key_bits, Skip::safe_band,  Skip::equal_radii, Skip::doubts, Skip::phantoms,
-    Skip::layers,   Skip::wide_cells, Skip::passes,      Skip::sort,   Skip::grid,
-    Skip::search,   Skip::unchanged,  Skip::few_movers,  Skip::skin};
+    Skip::key_bits,   Skip::safe_filter, Skip::equal_radii, Skip::uncertain_pairs,
+    Skip::phantoms,   Skip::layers,      Skip::wide_cells,  Skip::passes,
+    Skip::sort,       Skip::grid,        Skip::search,      Skip::unchanged,
+    Skip::few_movers, Skip::skin};
 static_assert(std::size(kFromTextToPlan) == kSkipCount);
 
 constexpr std::string_view kFastBaselines[] = {"fcl_dynamic_aabb_tree_morton",
@@ -33,11 +34,11 @@ bool has_time_for(const Implementation& how, Rows rows) {
   const bool on_device = how.backend->device;
   if (rows == Rows::device_default) return on_device && is_default;
   if (rows == Rows::frames) return is_default && how.backend->skips.has(Skip::unchanged);
-  if (rows == Rows::ablation) return !how.is_baseline() && !how.exhibit();
+  if (rows == Rows::ablation) return !how.is_baseline() && !how.negative_control();
   if (rows == Rows::device) return on_device;
   if (rows == Rows::precision) return is_default;
   if (rows == Rows::error) {
-    const bool of_a_library = is_among(kFastBaselines) || how.has_known_faults();
+    const bool of_a_library = is_among(kFastBaselines) || how.has_known_issues();
     return how.is_baseline() ? of_a_library : is_default;
   }
   if (rows == Rows::headline) return on_device || is_default;
@@ -122,7 +123,7 @@ std::vector<RowSpec> rows_of(const Group& group, std::string_view backend,
   std::vector<RowSpec> rows;
   for (const Implementation& how : candidates_for(group.rows, backend)) {
     if (!has_time_for(how, group.rows)) continue;
-    if (group.moves() && how.exhibit()) continue;  // its losses do not depend on motion
+    if (group.moves() && how.negative_control()) continue;  // its losses do not depend on motion
     if (group.rows == Rows::ablation) {
       rows.push_back({how, 1, group.moves() ? Run::dynamic : Run::warm});
       if (how.planned()) add_ablation(rows, RowSpec(rows.back()));
@@ -131,7 +132,7 @@ std::vector<RowSpec> rows_of(const Group& group, std::string_view backend,
     if (has_predicates(group.rows)) {
       rows.push_back({how, 1, Run::warm});
       const bool exact = how.planned() && how.predicate == Predicate::exact;
-      if (exact) add_without(rows, RowSpec(rows.back()), Skip::doubts);
+      if (exact) add_without(rows, RowSpec(rows.back()), Skip::uncertain_pairs);
       continue;
     }
     if (group.rows == Rows::frames) {
@@ -148,7 +149,7 @@ std::vector<RowSpec> rows_of(const Group& group, std::string_view backend,
       rows.push_back({how, threads, Run::warm});
     }
     if (how.backend->has_device_runs && !group.moves()) {
-      for (const Run run : {Run::rotated, Run::graph, Run::transfers}) {
+      for (const Run run : {Run::cold_cache, Run::graph, Run::transfers}) {
         rows.push_back({how, 1, run});
       }
     }

@@ -16,7 +16,7 @@ std::map<Stage, std::uint64_t> stage_bytes(Method method, std::uint64_t spheres,
   std::map<Stage, std::uint64_t> bytes = {
       {Stage::bounds, scene},
       {Stage::pair_tests, scene + sure_pairs},
-      {Stage::resolve, counts.doubts * (2 * sizeof(Sphere) + sizeof(Pair))}};
+      {Stage::resolve, counts.uncertain_pairs * (2 * sizeof(Sphere) + sizeof(Pair))}};
   if (method == Method::brute_force) return bytes;
   bytes[Stage::cell_ids] = scene + entries;
   bytes[Stage::sort] = 2 * entries;

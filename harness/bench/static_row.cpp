@@ -70,7 +70,7 @@ StageTimes StaticRow::run_once(Marks marks) {
       return {.total_ms = finder_->device_runs()->replay_ms()};
     case Run::transfers:
       return {.total_ms = finder_->device_runs()->transfers_ms()};
-    case Run::rotated:
+    case Run::cold_cache:
       finder_->device_runs()->flush_cache();
       return run_warm(marks);
     case Run::first_update:

@@ -38,7 +38,7 @@ struct Options {
 
 constexpr std::string_view kDefaultSize = ":n=2000";
 
-enum class Grade : std::uint8_t { exact, wrong, known_fault, exhibit, skipped };
+enum class Grade : std::uint8_t { exact, wrong, known_issue, negative_control, skipped };
 
 struct Verdict {
   Grade grade;
@@ -80,11 +80,12 @@ Verdict judge(const Implementation& how, const reference::Comparison& difference
               std::size_t true_pairs) {
   if (difference.exact()) return {Grade::exact, "exact"};
   const std::string losses = text_of(difference, true_pairs);
-  if (how.exhibit()) return {Grade::exhibit, losses + " (an exhibit: not counted)"};
+  if (how.negative_control())
+    return {Grade::negative_control, losses + " (a negative control: not counted)"};
   // A library may lose pairs; what it makes up would be ours, for we test its candidates.
-  if (how.has_known_faults() && difference.only_missed()) {
-    return {Grade::known_fault, fmt::format("wrong: {} (a known fault of the library: {})", losses,
-                                            how.backend->known_faults)};
+  if (how.has_known_issues() && difference.only_missed()) {
+    return {Grade::known_issue, fmt::format("wrong: {} (a known issue of the library: {})", losses,
+                                            how.backend->known_issues)};
   }
   return {Grade::wrong, losses};
 }
@@ -172,10 +173,10 @@ int check(const Options& options) {
     std::fflush(stdout);
   }
   const auto total = [&](Grade grade) { return totals[static_cast<std::size_t>(grade)]; };
-  fmt::print("{} exact, {} wrong, {} known faults, {} exhibits with losses, {} skipped\n",
-             total(Grade::exact), total(Grade::wrong), total(Grade::known_fault),
-             total(Grade::exhibit), total(Grade::skipped));
-  const int failures = total(Grade::wrong) + (options.strict ? total(Grade::known_fault) : 0);
+  fmt::print("{} exact, {} wrong, {} known issues, {} negative controls with losses, {} skipped\n",
+             total(Grade::exact), total(Grade::wrong), total(Grade::known_issue),
+             total(Grade::negative_control), total(Grade::skipped));
+  const int failures = total(Grade::wrong) + (options.strict ? total(Grade::known_issue) : 0);
   return failures == 0 ? 0 : kExitWrongAnswer;
 }
 
@@ -192,7 +193,7 @@ void add_check(CLI::App& app, Command& command) {
   sub->add_option("--candidate-limit", o->candidate_limit,
                   "Skip a row that counts more candidate pairs than this");
   sub->add_option("--timeout", o->timeout, "Seconds that a baseline may take (default 60)");
-  sub->add_flag("--strict", o->strict, "Exit with 1 for the known faults of libraries, too");
+  sub->add_flag("--strict", o->strict, "Exit with 1 for the known issues of libraries, too");
   sub->callback([&command, o] { command = [o] { return check(*o); }; });
 }
 

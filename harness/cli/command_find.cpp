@@ -102,7 +102,7 @@ nlohmann::ordered_json to_json(const Answer& answer) {
       {"pairs", answer.digest.count},
       {"checksum", fmt::format("{:#018x}", answer.digest.checksum)},
       {"candidates", answer.outcome.counts.candidates},
-      {"doubts", answer.outcome.counts.doubts},
+      {"uncertain_pairs", answer.outcome.counts.uncertain_pairs},
       {"runs", answer.outcome.runs},
       {"plan_ms", answer.outcome.plan_ms},
       {"total_ms", answer.outcome.times.total_ms}};
@@ -132,12 +132,12 @@ void print_text(const Answer& answer) {
                  ? ""
                  : fmt::format(" with flags, {} static", count_static(answer.scene)));
   fmt::print("backend     {}, {} thread{}\n", how.label(), threads, threads == 1 ? "" : "s");
-  if (how.exhibit()) {
-    fmt::print("            an exhibit: this {} can be wrong\n",
+  if (how.negative_control()) {
+    fmt::print("            a negative control: this {} can be wrong\n",
                claims_exact(how.predicate) ? "rule" : "predicate");
   }
-  if (how.has_known_faults()) {
-    fmt::print("            may lose pairs: {}\n", how.backend->known_faults);
+  if (how.has_known_issues()) {
+    fmt::print("            may lose pairs: {}\n", how.backend->known_issues);
   }
   if (answer.rounding) {
     fmt::print("rounding    to float32 lost {} pairs and gained {}\n", answer.rounding->lost,

@@ -19,7 +19,7 @@ void list_backends(Kind kind) {
     const std::optional<std::string> reason = b.why_unavailable();
     fmt::print("  {:<36} {:<54} {}\n", b.name, b.summary,
                reason ? "not here: " + *reason : "available");
-    if (!b.known_faults.empty()) fmt::print("      known fault: {}\n", b.known_faults);
+    if (!b.known_issues.empty()) fmt::print("      known issue: {}\n", b.known_issues);
   }
 }
 
@@ -42,7 +42,7 @@ int list() {
   fmt::print("backends\n");
   list_backends(Kind::backend);
   fmt::print("    methods: {}\n", fmt::join(kMethodNames, ", "));
-  fmt::print("    rules of home_phantom: {} (as_written is an exhibit: it loses pairs)\n",
+  fmt::print("    rules of home_phantom: {} (as_written is a negative control: it loses pairs)\n",
              fmt::join(kRuleNames, ", "));
   fmt::print("\nbaselines\n");
   list_backends(Kind::baseline);

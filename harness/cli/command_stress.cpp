@@ -59,7 +59,7 @@ std::vector<Implementation> judged(const std::string& backend) {
   std::vector<Implementation> list = implementations(of);
   std::ranges::copy(other_predicates(of), std::back_inserter(list));
   std::erase_if(list, [&](const Implementation& how) {
-    return how.exhibit() || how.backend->why_unavailable() ||
+    return how.negative_control() || how.backend->why_unavailable() ||
            (backend == "ours" && how.is_baseline());
   });
   if (list.empty())
@@ -142,7 +142,7 @@ Json document_of(const Options& options, const std::vector<Entry>& entries) {
   Json context = bench::describe_build_and_machine();
   context["size"] = options.size;
   context["finished"] = false;
-  Json document = {{"schema", 1},
+  Json document = {{"schema", 2},
                    {"kind", "stress"},
                    {"context", std::move(context)},
                    {"entries", Json::array()},

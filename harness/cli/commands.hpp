@@ -19,7 +19,7 @@ void add_generate(CLI::App& app, Command& command);
 void add_bench(CLI::App& app, Command& command);
 void add_bench_sort(CLI::App& app, Command& command);
 void add_stress(CLI::App& app, Command& command);
-void add_near_ties(CLI::App& app, Command& command);
+void add_near_tangent(CLI::App& app, Command& command);
 
 inline constexpr int kExitWrongAnswer = 1;
 inline constexpr int kExitBadInput = 2;

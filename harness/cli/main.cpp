@@ -56,7 +56,7 @@ int parse_and_run(int argc, char** argv) {
   cli::add_bench(app, command);
   cli::add_bench_sort(app, command);
   cli::add_stress(app, command);
-  cli::add_near_ties(app, command);
+  cli::add_near_tangent(app, command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked_for_help) {

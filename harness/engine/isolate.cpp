@@ -39,7 +39,7 @@ enum class Ending : std::uint32_t { answer, input_error, limit_error };
 struct Head {
   Ending ending;
   bool over_candidate_limit;
-  std::uint64_t ids, cells, candidates, doubts, pairs;  // Counts
+  std::uint64_t ids, cells, candidates, uncertain_pairs, pairs;  // Counts
   PairDigest digest;
   std::uint64_t text_bytes;
   std::uint64_t pair_count;
@@ -77,7 +77,7 @@ Head head_of(const Counts& counts) {
           .ids = counts.ids,
           .cells = counts.cells,
           .candidates = counts.candidates,
-          .doubts = counts.doubts,
+          .uncertain_pairs = counts.uncertain_pairs,
           .pairs = counts.pairs,
           .digest = {},
           .text_bytes = 0,
@@ -207,7 +207,7 @@ IsolatedAnswer receive(Child& child) {
   IsolatedAnswer answer = {.counts = {.ids = head.ids,
                                       .cells = head.cells,
                                       .candidates = head.candidates,
-                                      .doubts = head.doubts,
+                                      .uncertain_pairs = head.uncertain_pairs,
                                       .pairs = head.pairs,
                                       .over_candidate_limit = head.over_candidate_limit,
                                       .used = {}},

@@ -18,7 +18,7 @@ constexpr double kGiB = 1073741824.0;
 double bytes_of(const Capacities& lists, const HostBytes& bytes) {
   return bytes.per_id * static_cast<double>(lists.ids) +
          bytes.per_cell * static_cast<double>(lists.cells) +
-         bytes.per_pair * static_cast<double>(lists.doubts + lists.pairs);
+         bytes.per_pair * static_cast<double>(lists.uncertain_pairs + lists.pairs);
 }
 
 /// As long as before, but not longer than `certain` by more than that share.
@@ -29,7 +29,7 @@ std::uint64_t shortened(std::uint64_t room, std::uint64_t certain, double share)
 
 /// The lists of a plan that keeps no pairs.
 Capacities without_pairs(Capacities lists, bool count_only) {
-  if (count_only) lists.doubts = lists.pairs = 0;
+  if (count_only) lists.uncertain_pairs = lists.pairs = 0;
   return lists;
 }
 
@@ -51,7 +51,7 @@ Plan fitted(Plan plan, const HostBytes& bytes, const Capacities& certain, double
   Capacities& room = plan.capacity;
   room.ids = shortened(room.ids, certain.ids, share);
   room.cells = shortened(room.cells, certain.cells, share);
-  room.doubts = shortened(room.doubts, certain.doubts, share);
+  room.uncertain_pairs = shortened(room.uncertain_pairs, certain.uncertain_pairs, share);
   room.pairs = shortened(room.pairs, certain.pairs, share);
   return plan;
 }
@@ -68,12 +68,15 @@ Plan within_memory(const Plan& plan, const HostBytes& bytes) {
 
 Plan grow_within_memory(const Plan& plan, const HostBytes& bytes, const Counts& found) {
   const Capacities& room = plan.capacity;
-  const Capacities written = {.ids = std::min(found.ids, room.ids),
-                              .cells = std::min(found.cells, room.cells),
-                              .doubts = std::min(found.doubts, room.doubts),
-                              .pairs = std::min(found.pairs, room.pairs)};
-  const Capacities certain = {
-      .ids = found.ids, .cells = found.cells, .doubts = found.doubts, .pairs = found.pairs};
+  const Capacities written = {
+      .ids = std::min(found.ids, room.ids),
+      .cells = std::min(found.cells, room.cells),
+      .uncertain_pairs = std::min(found.uncertain_pairs, room.uncertain_pairs),
+      .pairs = std::min(found.pairs, room.pairs)};
+  const Capacities certain = {.ids = found.ids,
+                              .cells = found.cells,
+                              .uncertain_pairs = found.uncertain_pairs,
+                              .pairs = found.pairs};
   return fitted(grow(plan, found), bytes, without_pairs(certain, plan.count_only),
                 bytes.fixed + bytes_of(without_pairs(written, plan.count_only), bytes));
 }

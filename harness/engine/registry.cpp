@@ -121,7 +121,7 @@ std::optional<std::string> always_available() { return std::nullopt; }
 
 constexpr BackendInfo baseline(std::string_view name, std::string_view summary,
                                std::unique_ptr<PairFinder> (*create)(),
-                               std::string_view known_faults = {}) {
+                               std::string_view known_issues = {}) {
   return {.name = name,
           .kind = Kind::baseline,
           .summary = summary,
@@ -130,7 +130,7 @@ constexpr BackendInfo baseline(std::string_view name, std::string_view summary,
           .threaded = false,
           .why_unavailable = always_available,
           .create = create,
-          .known_faults = known_faults};
+          .known_issues = known_issues};
 }
 
 constexpr std::string_view kTouchingBoxesLost =

@@ -36,7 +36,7 @@ struct BackendInfo {
   /// What the planner weighs cells by.
   Costs costs = {};
   /// Why its answers can lack pairs although it is driven as it should be; empty if they cannot.
-  std::string_view known_faults = {};
+  std::string_view known_issues = {};
 };
 
 /// Backends first, then baselines; the order of every table and plot.
@@ -61,11 +61,11 @@ struct Implementation {
     return method ? name_of(*method) : "planned";
   }
   /// Kept because it is wrong: its losses are the lesson, and no row of it counts as a failure.
-  [[nodiscard]] bool exhibit() const {
+  [[nodiscard]] bool negative_control() const {
     return (has_rule() && rule == Rule::as_written) || !claims_exact(predicate);
   }
   /// A library's own fault: pairs that such a row lacks are reported, and not counted as a failure.
-  [[nodiscard]] bool has_known_faults() const { return !backend->known_faults.empty(); }
+  [[nodiscard]] bool has_known_issues() const { return !backend->known_issues.empty(); }
   /// What the planner is told of it.
   [[nodiscard]] PlanOptions plan_options(int threads = 1) const;
   /// "impl_cpu planned", "impl_cpu planned f32", "impl_cpu home_phantom lowest_cell"

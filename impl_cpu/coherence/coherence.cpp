@@ -9,12 +9,12 @@ namespace {
 
 /// Below this share of spheres that stand still, a search of the others is not worth its time.
 constexpr float kMostlyStill = 0.75F;
-/// Above this one it is worth more than a list of near pairs, for which all are looked at.
+/// Above this one it is worth more than a neighbor list, for which all are looked at.
 constexpr float kNearlyAllStill = 0.97F;
 
 bool has_all_pairs(const Workspace& w) {
   return w.may_test_pairs() && w.pairs.size() <= w.plan.capacity.pairs &&
-         w.doubts.size() <= w.plan.capacity.doubts;
+         w.uncertain_pairs.size() <= w.plan.capacity.uncertain_pairs;
 }
 
 /// Not in a frame of another number of spheres.
@@ -27,7 +27,7 @@ void Coherence::reset(const Workspace& w) {
   const std::uint64_t count = w.scene.spheres.size();
   is_used_ =
       plan.moving && plan.method == Method::half_shell && !plan.count_only && !plan.nothing_to_find;
-  course_ = Course::everything;
+  mode_ = FrameMode::everything;
   forget();
   if (!is_used_) return;
   sample_.reset(w.scene);
@@ -39,7 +39,7 @@ void Coherence::reset(const Workspace& w) {
 }
 
 bool Coherence::nothing_changed(Workspace& w) {
-  course_ = Course::everything;
+  mode_ = FrameMode::everything;
   motion_.reset();
   changes_are_listed_ = false;
   if (!is_used_ || !is_planned(w)) return false;
@@ -48,19 +48,19 @@ bool Coherence::nothing_changed(Workspace& w) {
   if (!changes_are_listed_ || changed_.size() != 0 || !w.plan.allowed.has(Skip::unchanged)) {
     return false;
   }
-  course_ = Course::nothing;
+  mode_ = FrameMode::nothing;
   w.candidates = 0;
-  w.doubts.clear();
+  w.uncertain_pairs.clear();
   return true;
 }
 
-bool Coherence::near_pairs_stand(Workspace& w) {
+bool Coherence::list_is_valid(Workspace& w) {
   if (!is_used_ || !is_planned(w) || !near_.imply_facts()) return false;
   w.forget_last_run();
   return reuse_list(w);
 }
 
-void Coherence::choose_course(Workspace& w) {
+void Coherence::choose_mode(Workspace& w) {
   if (!is_used_) return;
   if (w.violation || !is_planned(w)) return forget();
   if (repair(w) || reuse_list(w)) return;
@@ -70,15 +70,15 @@ void Coherence::choose_course(Workspace& w) {
 }
 
 Workspace& Coherence::ordered_now(Workspace& w) {
-  if (course_ == Course::movers) return movers_.workspace();
-  if (course_ == Course::new_list) return near_.workspace();
+  if (mode_ == FrameMode::movers) return movers_.workspace();
+  if (mode_ == FrameMode::new_list) return near_.workspace();
   return w;
 }
 
 void Coherence::pair_tests(Workspace& w) {
-  if (course_ == Course::movers) return movers_.find_pairs(w);
-  if (course_ == Course::new_list) return search_with_skin(w);
-  if (course_ == Course::near_pairs) return near_.decide(w);
+  if (mode_ == FrameMode::movers) return movers_.find_pairs(w);
+  if (mode_ == FrameMode::new_list) return search_with_skin(w);
+  if (mode_ == FrameMode::neighbor_list) return near_.decide(w);
   cpu::pair_tests(w);
 }
 
@@ -87,21 +87,21 @@ void Coherence::remember(const Workspace& w) {
 }
 
 bool Coherence::runs(Stage stage) const {
-  if (course_ == Course::nothing) return stage == Stage::bounds;
+  if (mode_ == FrameMode::nothing) return stage == Stage::bounds;
   const bool puts_in_order = stage >= Stage::cell_ids && stage <= Stage::cell_index;
-  return course_ != Course::near_pairs || !puts_in_order;
+  return mode_ != FrameMode::neighbor_list || !puts_in_order;
 }
 
-std::optional<Skip> Coherence::served_by() const {
-  switch (course_) {
-    case Course::everything:
-    case Course::new_list:
+std::optional<Skip> Coherence::reused() const {
+  switch (mode_) {
+    case FrameMode::everything:
+    case FrameMode::new_list:
       break;
-    case Course::nothing:
+    case FrameMode::nothing:
       return Skip::unchanged;
-    case Course::movers:
+    case FrameMode::movers:
       return Skip::few_movers;
-    case Course::near_pairs:
+    case FrameMode::neighbor_list:
       return Skip::skin;
   }
   return std::nullopt;
@@ -141,7 +141,7 @@ void Coherence::list_changed(const Workspace& w) {
 bool Coherence::repair(Workspace& w) {
   const bool may_repair = movers_.others_stand() && repairs_pay(w);
   if (!may_repair || !changes_are_listed_ || !movers_.add(changed_.items())) return false;
-  course_ = Course::movers;
+  mode_ = FrameMode::movers;
   kept_.keep(w.scene, changed_.items());
   movers_.gather(w);
   return true;
@@ -159,7 +159,7 @@ bool Coherence::reuse_list(Workspace& w) {
     return false;
   }
   copy_anew(w);
-  course_ = Course::near_pairs;
+  mode_ = FrameMode::neighbor_list;
   skin_.served();
   return true;
 }
@@ -175,7 +175,7 @@ bool Coherence::make_list(Workspace& w) {
   if (!has_skin(w) || !motion_ || repairs_pay(w)) return false;
   const std::optional<float> half_skin = skin_.half_skin_for(*motion_);
   if (!half_skin) return false;
-  course_ = Course::new_list;
+  mode_ = FrameMode::new_list;
   near_.grow(w, *half_skin);
   skin_.made(*half_skin, *motion_);
   return true;

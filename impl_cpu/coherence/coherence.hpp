@@ -7,21 +7,21 @@
 
 #include "core/planner/skin_width.hpp"
 #include "core/stage.hpp"
-#include "impl_cpu/coherence/kept_copy.hpp"
 #include "impl_cpu/coherence/motion_sample.hpp"
 #include "impl_cpu/coherence/movers.hpp"
-#include "impl_cpu/coherence/near_pairs.hpp"
+#include "impl_cpu/coherence/neighbor_list.hpp"
+#include "impl_cpu/coherence/snapshot.hpp"
 #include "impl_cpu/stages.hpp"
 
 namespace octocell::cpu::coherence {
 
 /// What a frame does.
-enum class Course : std::uint8_t {
+enum class FrameMode : std::uint8_t {
   everything,  // as if there had been no frame before
   nothing,     // no sphere has changed: the pairs stand
   movers,      // pairs of spheres that have not moved stand
-  new_list,    // everything, with a skin: near pairs are found, and of them those that overlap
-  near_pairs,  // no sphere has left the skin: pairs are among the near ones
+  new_list,    // everything, with a skin: neighbor pairs are found, and of them those that overlap
+  neighbor_list,  // no sphere has left the skin: pairs are among the near ones
 };
 
 /// For plans that move, with method half_shell, that store their pairs; for others it does nothing.
@@ -34,10 +34,11 @@ class Coherence {
 
   /// Before stage 1. True: all spheres are those whose pairs w holds; nothing remains to be done.
   bool nothing_changed(Workspace& w);
-  /// Before stage 1, too. True: its facts hold, as no sphere has moved far, and near pairs serve.
-  bool near_pairs_stand(Workspace& w);
+  /// Before stage 1, too. True: its facts hold, as no sphere has moved far, and neighbor pairs
+  /// serve.
+  bool list_is_valid(Workspace& w);
   /// After stage 1.
-  void choose_course(Workspace& w);
+  void choose_mode(Workspace& w);
   /// What stages 2 to 4 work on.
   Workspace& ordered_now(Workspace& w);
   /// Stage 5.
@@ -46,7 +47,7 @@ class Coherence {
   void remember(const Workspace& w);
 
   [[nodiscard]] bool runs(Stage stage) const;
-  [[nodiscard]] std::optional<Skip> served_by() const;
+  [[nodiscard]] std::optional<Skip> reused() const;
 
  private:
   [[nodiscard]] static bool has_skin(const Workspace& w);
@@ -61,14 +62,14 @@ class Coherence {
   void search_with_skin(Workspace& w);
 
   bool is_used_ = false;
-  Course course_ = Course::everything;
+  FrameMode mode_ = FrameMode::everything;
   MotionSample sample_;
   std::optional<FrameMotion> motion_;
-  KeptCopy kept_;
+  Snapshot kept_;
   bool changes_are_listed_ = false;
   SharedList<std::uint32_t> changed_;  // since the frame before
   Movers movers_;
-  NearPairs near_;
+  NeighborList near_;
   SkinWidth skin_;
 };
 

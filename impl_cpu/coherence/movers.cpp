@@ -68,7 +68,7 @@ void Movers::gather(const Workspace& whole) {
 }
 
 void Movers::find_pairs(Workspace& whole) {
-  whole.doubts.clear();
+  whole.uncertain_pairs.clear();
   drop_pairs(whole);
   if (count_ == 0) return;
   take_out_of_order(whole);

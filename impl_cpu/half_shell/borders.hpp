@@ -58,19 +58,19 @@ inline std::optional<std::uint32_t> common_cell(const Grid& grid, int axis,
   return cell;
 }
 
-/// Below cell `above`, not wrapped, for spheres whose centres are at most `reach` apart.
-inline Border border_below(const Grid& grid, int axis, std::uint32_t above, float reach) {
-  if (above == 0 || !std::isfinite(reach)) return {};
+/// Below cell `above`, not wrapped, for spheres whose centres are at most `distance` apart.
+inline Border border_below(const Grid& grid, int axis, std::uint32_t above, float distance) {
+  if (above == 0 || !std::isfinite(distance)) return {};
   const double place =
       (grid.first_unit[axis] + static_cast<double>(grid.width[axis].units) * above) /
       static_cast<double>(grid.units_per_length);
-  const double wide = reach;
+  const double wide = distance;
   const double apart = wide + 0x1p-22 * (std::fabs(place) + wide);  // what two sums may lose
   const auto lower = static_cast<float>(place - apart);
   const auto upper = static_cast<float>(place + apart);
   Border found;
-  if (cell_coordinate(grid, axis, lower + reach) < above) found.lower = lower;
-  if (cell_coordinate(grid, axis, upper - reach) >= above) found.upper = upper;
+  if (cell_coordinate(grid, axis, lower + distance) < above) found.lower = lower;
+  if (cell_coordinate(grid, axis, upper - distance) >= above) found.upper = upper;
   return found;
 }
 

@@ -29,8 +29,8 @@ void cell_index(Workspace& w);
 /// Stage 5: each row against itself and its half shell; each sphere against the finer levels.
 void pair_tests(Workspace& w);
 
-/// The same for any ordered spheres of the plan's levels; pairs and doubts become w's. Returns the
-/// number of candidates.
+/// The same for any ordered spheres of the plan's levels; pairs and uncertain pairs become w's.
+/// Returns the number of candidates.
 std::uint64_t test_among(Workspace& w, const OrderedSpheres& spheres);
 
 /// Each of `spheres` against each of `others`, which must be few to be quick.

@@ -33,8 +33,8 @@ class LevelBoxes {
   /// One of the others, which is of another level, against what its box holds of this one.
   void test_box(std::uint32_t sphere) {
     const Sphere s = others_.at<test>(sphere);
-    const float reach = std::nextafter(s.r + level_.r_max, HUGE_VALF);
-    const CellRange box = cells_met(grid_, s, reach);
+    const float extent = std::nextafter(s.r + level_.r_max, HUGE_VALF);
+    const CellRange box = cells_met(grid_, s, extent);
     for_each_z(box, [&](std::uint64_t first_id, std::uint64_t last_id) {
       const Row* row = rows_.not_before(first_id);
       for (; row != rows_.end() && row->first_id <= last_id; ++row) {

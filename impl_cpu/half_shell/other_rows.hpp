@@ -106,17 +106,17 @@ class OtherRows {
     if (!boxes_pay_) {
       const std::uint32_t last = grid_.period(0) - 1;
       if (grid_.wraps(0)) return {0, last, kAllRows};
-      return {column - std::min(column, level_.reach), std::min(column + level_.reach, last),
-              kAllRows};
+      return {column - std::min(column, level_.column_reach),
+              std::min(column + level_.column_reach, last), kAllRows};
     }
     if (s.r != radius_) {
       radius_ = s.r;
-      reach_ = std::nextafter(s.r + level_.r_max, HUGE_VALF);
+      extent_ = std::nextafter(s.r + level_.r_max, HUGE_VALF);
     }
     const auto steps = [&](int axis, float centre) {
       const std::uint32_t home = cell_coordinate(grid_, axis, centre);
-      const bool below = cell_coordinate(grid_, axis, centre - reach_) < home;
-      const bool above = cell_coordinate(grid_, axis, centre + reach_) > home;
+      const bool below = cell_coordinate(grid_, axis, centre - extent_) < home;
+      const bool above = cell_coordinate(grid_, axis, centre + extent_) > home;
       return std::pair{below, above};
     };
     const auto [y_below, y_above] = steps(1, s.y);
@@ -125,7 +125,8 @@ class OtherRows {
     const std::uint32_t rows =
         (z_below ? in_layer : 0U) | in_layer << 3 | (z_above ? in_layer << 6 : 0U);
     if (grid_.wraps(0)) return {0, grid_.period(0) - 1, rows};
-    return {column - std::min(column, level_.reach), cell_coordinate(grid_, 0, s.x + reach_), rows};
+    return {column - std::min(column, level_.column_reach),
+            cell_coordinate(grid_, 0, s.x + extent_), rows};
   }
 
   void visit_rows(std::uint32_t sphere, std::uint32_t column, Adjacent& at) {
@@ -167,7 +168,7 @@ class OtherRows {
   Hits<test> hits_;
   std::uint64_t candidates_ = 0;
   float radius_ = -1.0F;  // of the sphere before
-  float reach_ = 0.0F;
+  float extent_ = 0.0F;
 };
 
 }  // namespace octocell::cpu::half_shell

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stage 5 of half_shell: which spheres of adjacent cells overlap?
-// Reads ordered spheres, rows. Writes sure pairs, and doubts for stage 6.
+// Reads ordered spheres, rows. Writes sure pairs, and uncertain pairs for stage 6.
 // Cost: about one vector operation for each sphere of a row, and one more for each that is near its
 //       border with one of four others: with one in a flat scene, with none on a line.
 // Idea: rows are some diameters wide, so few spheres are near a border; only these are listed and
@@ -100,8 +100,8 @@ std::uint64_t test_among(Workspace& w, const OrderedSpheres& spheres) {
 
 std::uint64_t test_between(Workspace& w, const OrderedSpheres& spheres,
                            const OrderedSpheres& others) {
-  return with_band_test(w.plan.test,
-                        [&]<PairTest test>() { return test_against<test>(w, spheres, others); });
+  return with_filter_test(w.plan.test,
+                          [&]<PairTest test>() { return test_against<test>(w, spheres, others); });
 }
 
 }  // namespace octocell::cpu::half_shell

@@ -33,7 +33,7 @@ class SameLevel {
         ids_(spheres.column_ids),
         level_(w.plan.levels.level[level]),
         grid_(level_.grid),
-        diameter_(OCTOCELL_FAULT(border_reach_short, 1.0F, 2.0F) * level_.r_max),
+        diameter_(OCTOCELL_FAULT(border_distance_short, 1.0F, 2.0F) * level_.r_max),
         rows_(o_.rows.data() + o_.level_rows[level], o_.rows.data() + o_.level_rows[level + 1]),
         limit_(w.plan.candidate_limit),
         hits_within_(w, spheres, spheres),
@@ -141,18 +141,18 @@ class SameLevel {
   /// Where x wraps, partners of the first columns lie in the last, too.
   [[nodiscard]] bool wraps_down(const Group& g) const {
     return OCTOCELL_FAULT(shell_seam_not_crossed, false,
-                          grid_.wraps(0) && g.first_column < level_.reach);
+                          grid_.wraps(0) && g.first_column < level_.column_reach);
   }
   [[nodiscard]] bool wraps_up(const Group& g) const {
-    return grid_.wraps(0) && g.last_column + level_.reach >= grid_.period(0);
+    return grid_.wraps(0) && g.last_column + level_.column_reach >= grid_.period(0);
   }
   [[nodiscard]] bool is_at_seam(const Group& g) const { return wraps_down(g) || wraps_up(g); }
   /// The first and the last column that spheres of the group have partners in, but for wrapping.
   [[nodiscard]] std::uint32_t first_near(const Group& g) const {
-    return g.first_column - std::min(g.first_column, level_.reach);
+    return g.first_column - std::min(g.first_column, level_.column_reach);
   }
   [[nodiscard]] std::uint32_t last_near(const Group& g) const {
-    return std::min(g.last_column + level_.reach, grid_.period(0) - 1);
+    return std::min(g.last_column + level_.column_reach, grid_.period(0) - 1);
   }
 
   /// A row against itself: each sphere against those behind it.

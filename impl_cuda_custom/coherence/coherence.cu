@@ -10,7 +10,7 @@ namespace {
 
 /// On an H100, a gas of a million spheres.
 constexpr SkinCosts kSkinCosts = {
-    .list = 1.8F, .fetch = 0.3F, .compare = 0.3F, .near_pairs = 0.06F};
+    .list = 1.8F, .fetch = 0.3F, .compare = 0.3F, .neighbor_list = 0.06F};
 
 Kept read(const Workspace& w) {
   Kept kept;
@@ -30,7 +30,7 @@ void Coherence::forget(Workspace& w) {
   w.growth = 0.0F;
   frames_ = 0;
   has_list_ = false;
-  last_ = Course::search;
+  last_ = FrameMode::search;
   if (w.kept.data() == nullptr) return;
   cuda::check(cudaMemsetAsync(w.kept.data(), 0, sizeof(Kept), w.stream));
 }
@@ -44,7 +44,8 @@ bool Coherence::flags_differ(Workspace& w) {
 }
 
 bool Coherence::looked_at_too_many(Workspace& w, const State& state) {
-  const bool too_many = state.course == Course::search && state.candidates > w.plan.candidate_limit;
+  const bool too_many =
+      state.mode == FrameMode::search && state.candidates > w.plan.candidate_limit;
   if (!too_many || !w.coherent() || read(w).list_made == 0) return false;
   skin_.made(w.plan.skin.growth, motion_);  // and has served nobody
   skin_.left();
@@ -57,20 +58,20 @@ void Coherence::learn(Workspace& w, const State& state) {
   const Kept kept = read(w);
   if (kept.frames == frames_) return;  // asked twice
   frames_ = kept.frames;
-  last_ = state.course;
-  note_course(w, state, kept);
-  if (kept.frames < 2 || !w.allowed().near_pairs) return;
+  last_ = state.mode;
+  note_mode(w, state, kept);
+  if (kept.frames < 2 || !w.allowed().neighbor_list) return;
   motion_ = {.still_share = static_cast<float>(kept.still) / kSampled, .farthest = kept.farthest};
   w.growth = skin_.half_skin_for(motion_).value_or(0.0F);
 }
 
 /// `motion_` is still what the growth was chosen by.
-void Coherence::note_course(const Workspace& w, const State& state, const Kept& kept) {
-  if (state.course == Course::near_pairs) skin_.served();
-  if (state.course != Course::search) return;
+void Coherence::note_mode(const Workspace& w, const State& state, const Kept& kept) {
+  if (state.mode == FrameMode::neighbor_list) skin_.served();
+  if (state.mode != FrameMode::search) return;
   if (has_list_) skin_.left();
   has_list_ =
-      kept.list_made != 0 && kept.near_pairs <= w.allowed().near_room && state.violations == 0;
+      kept.list_made != 0 && kept.neighbor_list <= w.allowed().near_room && state.violations == 0;
   if (kept.list_made == 0) return;
   skin_.made(kept.growth, motion_);
   if (!has_list_) skin_.left();

@@ -13,13 +13,13 @@
 namespace octocell::cuda_custom::coherence {
 
 /// What spares a frame of that course its search.
-inline std::optional<Skip> skip_of(Course course) {
-  switch (course) {
-    case Course::search:
+inline std::optional<Skip> skip_of(FrameMode mode) {
+  switch (mode) {
+    case FrameMode::search:
       break;
-    case Course::unchanged:
+    case FrameMode::unchanged:
       return Skip::unchanged;
-    case Course::near_pairs:
+    case FrameMode::neighbor_list:
       return Skip::skin;
   }
   return std::nullopt;
@@ -37,8 +37,8 @@ class Coherence {
   void reset(Workspace& w);
 
   /// The course of the last frame, where it was spared its search: then this one may be, too.
-  [[nodiscard]] std::optional<Course> supposed() const {
-    if (last_ == Course::search) return std::nullopt;
+  [[nodiscard]] std::optional<FrameMode> predicted() const {
+    if (last_ == FrameMode::search) return std::nullopt;
     return last_;
   }
 
@@ -50,13 +50,13 @@ class Coherence {
   void learn(Workspace& w, const State& state);
 
  private:
-  void note_course(const Workspace& w, const State& state, const Kept& kept);
+  void note_mode(const Workspace& w, const State& state, const Kept& kept);
 
   std::vector<Flags> flags_;  // of the scene before
   std::uint64_t spheres_ = 0;
   std::uint64_t frames_ = 0;  // learnt from
   bool has_list_ = false;
-  Course last_ = Course::search;
+  FrameMode last_ = FrameMode::search;
   FrameMotion motion_;
   SkinWidth skin_;
 };

@@ -10,7 +10,7 @@ namespace octocell::cuda_custom::coherence {
 /// Stage 1 of a frame that may take over something: decides its course, and opens State for it.
 void open_frame(Workspace& w);
 
-/// Stage 5 of frames that are not searched: the near pairs, tested again.
-void test_near_pairs(Workspace& w);
+/// Stage 5 of frames that are not searched: the neighbor pairs, tested again.
+void test_neighbor_list(Workspace& w);
 
 }  // namespace octocell::cuda_custom::coherence

@@ -38,12 +38,12 @@ struct Job {
   std::uint32_t counter_count;
   State* state;
   Kept* kept;
-  Course* taken;  // on the host
+  FrameMode* taken;  // on the host
 
   /// What the last frame found is all there is.
   [[nodiscard]] __device__ bool is_complete(const State& last) const {
     return last.violations == 0 && last.candidates <= candidate_limit && last.pairs <= room.pairs &&
-           last.doubts <= room.doubts;
+           last.uncertain_pairs <= room.uncertain_pairs;
   }
 };
 
@@ -70,7 +70,7 @@ __device__ bool is_within_skin(const Job& job, const Sphere& then, const Sphere&
                                float growth) {
   if (violation_of(now, job.facts) != 0) return false;
   const Verdict verdict = within_skin(then, now, growth);
-  if (verdict != Verdict::doubt) return verdict == Verdict::overlap;
+  if (verdict != Verdict::uncertain) return verdict == Verdict::overlap;
   return is_within_exactly(then, now, growth);
 }
 
@@ -135,12 +135,12 @@ __device__ std::uint32_t look_at_spheres(const Job& job, const Trial& trial, flo
   return found;
 }
 
-__device__ State opened(const Job& job, const State& last, const Kept& kept, Course course) {
-  if (course == Course::search) return job.search;
+__device__ State opened(const Job& job, const State& last, const Kept& kept, FrameMode mode) {
+  if (mode == FrameMode::search) return job.search;
   State state;
-  state.course = course;
-  if (course == Course::unchanged) state.pairs = last.pairs;
-  if (course == Course::near_pairs) state.candidates = kept.near_pairs;
+  state.mode = mode;
+  if (mode == FrameMode::unchanged) state.pairs = last.pairs;
+  if (mode == FrameMode::neighbor_list) state.candidates = kept.neighbor_list;
   return state;
 }
 
@@ -149,10 +149,10 @@ __device__ void decide(const Job& job, const Trial& trial) {
   Kept kept = *job.kept;
   kept.still_now = __ldcg(&job.kept->still_now);
   kept.farthest_now = __ldcg(&job.kept->farthest_now);
-  const Course course = course_of(trial, __ldcg(&job.kept->found));
-  *job.state = opened(job, *job.state, kept, course);
-  *job.kept = after(kept, trial, course, job.allowed, job.growth);
-  *job.taken = course;
+  const FrameMode mode = mode_of(trial, __ldcg(&job.kept->found));
+  *job.state = opened(job, *job.state, kept, mode);
+  *job.kept = after(kept, trial, mode, job.allowed, job.growth);
+  *job.taken = mode;
 }
 
 __global__ void __launch_bounds__(kBlockThreads, kBlocksAtOnce)
@@ -198,7 +198,7 @@ void open_frame(Workspace& w) {
                    .counter_count = static_cast<std::uint32_t>(w.sorter_now().zeroed_words()),
                    .state = w.state.data(),
                    .kept = w.kept.data(),
-                   .taken = w.course_taken.data()};
+                   .taken = w.mode_taken.data()};
   open_frame_kernel<<<std::min(parts_of(count, kPerBlock), kMostBlocks), kBlockThreads, 0,
                       w.stream>>>(job);
   cuda::check_launch();

@@ -13,21 +13,21 @@
 namespace octocell::cuda_custom::coherence {
 
 /// What a frame does. Kernels of other courses leave as soon as they see it.
-enum class Course : std::uint32_t {
-  search,      // everything
-  unchanged,   // no sphere has changed: the pairs stand
-  near_pairs,  // no sphere has left the skin: pairs are among the near ones
+enum class FrameMode : std::uint32_t {
+  search,         // everything
+  unchanged,      // no sphere has changed: the pairs stand
+  neighbor_list,  // no sphere has left the skin: pairs are among the near ones
 };
 
 /// What is known of the frames before. All zero: nothing.
 struct Kept {
-  std::uint64_t frames;      // since then
-  std::uint32_t copy_holds;  // the copy equals the spheres of the last frame
-  std::uint32_t list_made;   // near pairs were listed in the last search, with
-  float growth;              // as much added to each radius
-  std::uint64_t near_pairs;  // listed; counts on past the end
-  std::uint32_t still;       // how many of the sample had not changed in the last frame
-  float farthest;            // that one of the sample had moved
+  std::uint64_t frames;          // since then
+  std::uint32_t snapshot_holds;  // the copy equals the spheres of the last frame
+  std::uint32_t list_made;       // neighbor pairs were listed in the last search, with
+  float growth;                  // as much added to each radius
+  std::uint64_t neighbor_list;   // listed; counts on past the end
+  std::uint32_t still;           // how many of the sample had not changed in the last frame
+  float farthest;                // that one of the sample had moved
   // In a frame, until its first kernel ends:
   std::uint32_t found;         // bits, see below
   std::uint32_t blocks_done;   // of that kernel
@@ -45,15 +45,15 @@ inline constexpr std::uint32_t kSampled = 256;
 /// What may be taken over, and the room for it.
 struct Allowed {
   bool unchanged;
-  bool near_pairs;
+  bool neighbor_list;
   std::uint64_t near_room;
-  [[nodiscard]] OCTOCELL_HD bool any() const { return unchanged || near_pairs; }
+  [[nodiscard]] OCTOCELL_HD bool any() const { return unchanged || neighbor_list; }
 };
 
 /// What a frame tries, before it has seen a sphere.
 struct Trial {
   bool compare;  // with the copy
-  bool skin;     // with where spheres were when the near pairs were listed
+  bool skin;     // with where spheres were when the neighbor pairs were listed
   bool keep;     // a copy is made, for the next frame
 };
 
@@ -63,29 +63,29 @@ struct Trial {
 OCTOCELL_HD Trial trial_of(const Kept& kept, bool complete, const Allowed& allowed) {
   const bool still = kept.frames == 0 || kept.still == kSampled;
   Trial trial = {};
-  trial.compare = complete && allowed.unchanged && kept.copy_holds != 0;
-  trial.skin =
-      complete && allowed.near_pairs && kept.list_made != 0 && kept.near_pairs <= allowed.near_room;
+  trial.compare = complete && allowed.unchanged && kept.snapshot_holds != 0;
+  trial.skin = complete && allowed.neighbor_list && kept.list_made != 0 &&
+               kept.neighbor_list <= allowed.near_room;
   trial.keep = allowed.unchanged && !trial.compare && still;
   return trial;
 }
 
-OCTOCELL_HD Course course_of(const Trial& trial, std::uint32_t found) {
-  if (trial.compare && (found & kDiffers) == 0) return Course::unchanged;
-  if (trial.skin && (found & kLeft) == 0) return Course::near_pairs;
-  return Course::search;
+OCTOCELL_HD FrameMode mode_of(const Trial& trial, std::uint32_t found) {
+  if (trial.compare && (found & kDiffers) == 0) return FrameMode::unchanged;
+  if (trial.skin && (found & kLeft) == 0) return FrameMode::neighbor_list;
+  return FrameMode::search;
 }
 
 /// What is known once the frame has taken its course. `growth`: that of its search, if it has one.
 /// What stood before the last search stands until the next.
-OCTOCELL_HD Kept after(Kept kept, const Trial& trial, Course course, const Allowed& allowed,
+OCTOCELL_HD Kept after(Kept kept, const Trial& trial, FrameMode mode, const Allowed& allowed,
                        float growth) {
   ++kept.frames;
-  kept.copy_holds = course == Course::unchanged || trial.keep ? 1 : 0;
-  if (course == Course::search) {
-    kept.list_made = allowed.near_pairs && growth > 0.0F ? 1 : 0;
+  kept.snapshot_holds = mode == FrameMode::unchanged || trial.keep ? 1 : 0;
+  if (mode == FrameMode::search) {
+    kept.list_made = allowed.neighbor_list && growth > 0.0F ? 1 : 0;
     kept.growth = growth;
-    kept.near_pairs = 0;
+    kept.neighbor_list = 0;
   }
   kept.still = kept.frames == 1 ? 0 : kept.still_now;
   memcpy(&kept.farthest, &kept.farthest_now, sizeof kept.farthest);
@@ -115,7 +115,7 @@ OCTOCELL_HD float growth_of(const Flags* flags, std::uint32_t sphere, float grow
   return flags != nullptr && is_static(flags[sphere]) ? 0.0F : growth;
 }
 
-/// The radius that a search goes by which lists near pairs, and without growth any other.
+/// The radius that a search goes by which lists neighbor pairs, and without growth any other.
 OCTOCELL_HD float radius_in_search(const Sphere& s, const Flags* flags, std::uint32_t sphere,
                                    float growth) {
   if (growth == 0.0F) return s.r;
@@ -128,7 +128,7 @@ OCTOCELL_HD Verdict within_skin(const Sphere& then, const Sphere& now, float gro
   if (growth == 0.0F) return same_bits(then, now) ? Verdict::overlap : Verdict::apart;
   if (bits_of(then.r) != bits_of(now.r)) return Verdict::apart;
   const Step step = step_of(then, now, growth);
-  return band_verdict<Band::safe>(step.ball, step.point);
+  return filter_verdict<Filter::safe>(step.ball, step.point);
 }
 
 }  // namespace octocell::cuda_custom::coherence

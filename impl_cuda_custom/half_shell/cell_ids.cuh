@@ -100,7 +100,7 @@ template <int kPasses>
 __global__ void __launch_bounds__(kIdsThreads, 2) ids_kernel(const __grid_constant__ IdsJob job) {
   extern __shared__ std::uint32_t counts[];
   State* const state = job.state;
-  if (job.may_leave && state->course != coherence::Course::search) return;
+  if (job.may_leave && state->mode != coherence::FrameMode::search) return;
   digit_histograms::open<kPasses>(job.digits, job.sphere_count, counts);
   const Met met = put_ids<kPasses>(job, counts);
   if (met.violations != 0) atomicOr(&state->violations, met.violations);
@@ -123,7 +123,7 @@ inline void cell_ids(Workspace& w) {
                       .may_leave = w.coherent(),
                       .growth = w.growth,
                       .flags = w.flags_or_none(),
-                      .searched = w.allowed().near_pairs ? w.searched.data() : nullptr,
+                      .searched = w.allowed().neighbor_list ? w.searched.data() : nullptr,
                       .cell_ids = w.side(0).keys,
                       .objects = w.side(0).values,
                       .state = state,

@@ -59,7 +59,8 @@ struct Shells {
 /// is met once; that takes more columns than a run has, three rows at least, and no axis that
 /// wraps.
 inline bool is_open(const Level& level) {
-  return !level.grid.wraps() && level.grid.stride_y > 2 * level.reach && level.grid.period(1) >= 3;
+  return !level.grid.wraps() && level.grid.stride_y > 2 * level.column_reach &&
+         level.grid.period(1) >= 3;
 }
 
 /// A row around a cell: its y and z, counted from the cell's.
@@ -77,7 +78,7 @@ __device__ inline RowStep shell_row(int row) {
 constexpr int kRowsAround = 9;
 __device__ inline RowStep row_around(int row) { return {row % 3 - 1, row / 3 - 1}; }
 
-/// In an open level: the columns from `back` before those of `id` to the reach behind it.
+/// In an open level: the columns from `back` before those of `id` to the column_reach behind it.
 __device__ inline Run open_run(const CellStarts& starts, const Level& level, std::uint32_t id,
                                RowStep step, std::uint32_t back) {
   const auto first = std::int64_t{level.first_id};
@@ -87,7 +88,8 @@ __device__ inline Run open_run(const CellStarts& starts, const Level& level, std
   const auto within = [&](std::int64_t wanted) {
     return static_cast<std::uint32_t>(min(max(wanted, first), end));
   };
-  return {starts.place_of(within(there - back)), starts.place_of(within(there + level.reach + 1))};
+  return {starts.place_of(within(there - back)),
+          starts.place_of(within(there + level.column_reach + 1))};
 }
 
 /// A cell's coordinates as its id has them: those of a wrapped axis lie within its period.
@@ -120,7 +122,7 @@ __device__ inline Run bordered_run(const CellStarts& starts, const Level& level,
   const auto run = [&](std::uint32_t first, std::uint32_t end) {
     return Run{starts.place_of(row + first), starts.place_of(row + end)};
   };
-  const std::uint32_t end = cell.x + level.reach + 1;
+  const std::uint32_t end = cell.x + level.column_reach + 1;
   if (!around) return run(cell.x < back ? 0 : cell.x - back, min(end, columns));
   if (grid.wrap_mask[0] == ~0U) return {};
   if (end > columns) return run(0, end - columns);
@@ -158,7 +160,7 @@ __device__ void Shells::visit_runs(bool present, std::uint32_t place, std::uint3
   const int own = level_of_id(id);
   visit_rows(kShellRows, [&](int row, bool around) {
     if (!present) return Run{};
-    const std::uint32_t back = row == 0 ? 0 : levels.level[own].reach;
+    const std::uint32_t back = row == 0 ? 0 : levels.level[own].column_reach;
     Run run = run_in(own, id, shell_row(row), back, around);
     if (row == 0 && !around) run.begin = place + 1;
     return run;
@@ -171,7 +173,7 @@ __device__ void Shells::visit_runs(bool present, std::uint32_t place, std::uint3
                     cell_id(coarser.grid, cell_of(coarser.grid, sphere.x, sphere.y, sphere.z))
               : 0;
     visit_rows(kRowsAround, [&](int row, bool around) {
-      return below ? run_in(k, there, row_around(row), coarser.reach, around) : Run{};
+      return below ? run_in(k, there, row_around(row), coarser.column_reach, around) : Run{};
     });
   }
 }
@@ -179,7 +181,7 @@ __device__ void Shells::visit_runs(bool present, std::uint32_t place, std::uint3
 /// The case of most scenes: one level, and open. Its runs are a few additions away from an id.
 struct OpenLevel {
   std::uint32_t ids;
-  std::uint32_t reach;
+  std::uint32_t column_reach;
   std::uint32_t row;    // from a cell's id to that of its neighbour in y
   std::uint32_t layer;  // in z
   CellStarts starts;
@@ -189,8 +191,8 @@ struct OpenLevel {
   [[nodiscard]] __device__ Run run_of(int k, std::uint32_t place, std::uint32_t id) const {
     const RowStep step = shell_row(k);
     const std::uint32_t there = id + step.y * row + step.z * layer;
-    const std::uint32_t end = starts.place_of(min(there + reach + 1, ids));
-    return {k == 0 ? place + 1 : starts.place_of(min(there - reach, ids)), end};
+    const std::uint32_t end = starts.place_of(min(there + column_reach + 1, ids));
+    return {k == 0 ? place + 1 : starts.place_of(min(there - column_reach, ids)), end};
   }
 
   template <typename Visit>
@@ -229,7 +231,8 @@ inline Shells shells_of(Workspace& w, const CellStarts& starts) {
 inline OpenLevel open_level_of(Workspace& w, const CellStarts& starts) {
   const Level& level = w.levels().level[0];
   return {.ids = level.ids,
-          .reach = OCTOCELL_FAULT(cuda_reach_short, level.reach - 1, level.reach),
+          .column_reach =
+              OCTOCELL_FAULT(cuda_column_reach_short, level.column_reach - 1, level.column_reach),
           .row = level.grid.stride_y,
           .layer = OCTOCELL_FAULT(cuda_layer_missing, level.grid.stride_y, level.grid.stride_z),
           .starts = starts,

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "core/faults.hpp"
-#include "impl_cuda_custom/coherence/near_pairs.cuh"
+#include "impl_cuda_custom/coherence/neighbor_list.cuh"
 #include "impl_cuda_custom/half_shell/neighbours.cuh"
 #include "impl_cuda_custom/pair_sinks.cuh"
 #include "impl_cuda_custom/pair_test.cuh"
@@ -172,14 +172,14 @@ void pair_tests(Workspace& w) {
     return test_runs<Count>(w, AnyTest{w.plan.test, packing}, spheres, sink);
   }
   if (w.grows()) {
-    sink.near_pairs = coherence::near_list(w);
-    sink.band = band_of(w.plan.test);
-    const FixedTest<PairTest::band_safe> of_grown = {};
+    sink.neighbor_list = coherence::near_list(w);
+    sink.filter = filter_of(w.plan.test);
+    const FixedTest<PairTest::filter_safe> of_grown = {};
     return test_runs<coherence::KeepNear>(w, of_grown, spheres, sink);
   }
   with_pair_test(w.plan.test, [&]<PairTest asked>() {
     // Radii come with the coordinates: that they are equal spares no load, and costs a register.
-    constexpr PairTest test = asked == PairTest::band_equal ? PairTest::band_fast : asked;
+    constexpr PairTest test = asked == PairTest::filter_equal ? PairTest::filter_fast : asked;
     const FixedTest<test> fixed = {packing};
     if constexpr (is_packed(test)) {
       test_runs<Keep>(w, fixed, w.sorted_packed.data(), sink);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rung 1: one bit a pass. Zeros go to the front, ones behind them, each in their order.
-// Against the rung below: there is none. This is the least code that sorts in parallel.
+// Variant 1: one bit a pass. Zeros go to the front, ones behind them, each in their order.
+// Against the variant below: there is none. This is the least code that sorts in parallel.
 // Why it works: a stable split by each bit in turn, the lowest first, sorts (Blelloch 1990); where
 //   an item goes follows from how many ones stand before it, which is a prefix sum of the flags.
 // Measured: the ladder in the report of `octocell bench-sort`, algorithm cuda_one_bit_split.

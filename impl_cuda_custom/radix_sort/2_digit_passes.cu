@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Rung 2: digits of 8 bits, in the three phases of GPU Gems 3, chapter 32: tabulate, sum, reorder.
-// Against rung 1: a pass settles 8 bits instead of one. A group of 32 threads has 256 counters, one
-//   for each value of the digit, and a part of the input of its own.
+// Variant 2: digits of 8 bits, in three phases (GPU Gems 3, chapter 32): tabulate, sum, reorder.
+// Against variant 1: a pass settles 8 bits instead of one. A group of 32 threads has 256 counters,
+//   one for each value of the digit, and a part of the input of its own.
 // Why it should help: 32-bit keys cross the memory 4 times instead of 32.
-// What holds it back: for the order of equal digits to last, a group's threads take turns at their
-//   counters, 32 steps for 32 items; and neighbours in the input are written far apart.
+// What holds it back: to stay stable, the 32 threads update the counters one after another, 32
+//   steps for 32 items; and neighbours in the input are written far apart.
 // Measured: the ladder in the report of `octocell bench-sort`, algorithm cuda_digit_passes.
 #include <cstdint>
 

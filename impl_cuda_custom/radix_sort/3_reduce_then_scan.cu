@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Rung 3: the same three phases, a tile of 4,096 items for a block, and nobody takes turns.
-// Against rung 2: the lanes of a warp find those with their digit by one match instruction, so 32
-//   items are ranked at once; and a tile is put in order in shared memory before it is written.
+// Variant 3: the same three phases; a block takes a tile of 4,096 items, and no thread waits.
+// Against variant 2: one match instruction shows each lane of a warp the lanes with its digit, so
+//   32 items are ranked at once; and a tile is sorted in shared memory before it is written.
 // Why it should help: ranking takes a few instructions an item instead of 32 turns; items with the
 //   same digit leave side by side, in full memory transactions. (Merrill & Grimshaw 2010; ranking
 //   by match as in multisplit, Ashkiani et al. 2016.)

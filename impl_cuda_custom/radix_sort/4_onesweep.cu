@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Rung 4: a pass reads every pair once and writes it once (Adinets & Merrill 2022, arXiv
-//   2206.01784). Against rung 3: the digits of all passes are counted in one reading at the start;
-//   where a tile's keys go follows from the tiles below by decoupled look-back, so there is no
-//   upsweep and no scan between. Digits have up to 10 bits, so 20 bits take two passes and 17 bits
-//   two instead of three. Between two passes a key stands beside its value, so a pair is written as
-//   one word of 64 bits. Tiles are larger, and their size follows from how many pairs there may be.
+// Variant 4: a pass reads every pair once and writes it once (Adinets & Merrill 2022, arXiv
+//   2206.01784). Against variant 3: the digits of all passes are counted in one reading at the
+//   start; where a tile's keys go follows from the tiles below by decoupled look-back, so there is
+//   no upsweep and no scan between. Digits have up to 10 bits, so 20 bits take two passes and 17
+//   bits two instead of three. Between two passes a key stands beside its value, so a pair is
+//   written as one word of 64 bits. Tiles are larger, and their size follows from how many pairs
+//   there may be.
 // Why it should help: a pass costs two memory operations a pair instead of three, in one launch
 //   instead of three; fewer passes for the widths that cell ids have; runs of neighbours that are
 //   twice as long in memory, and half as many.

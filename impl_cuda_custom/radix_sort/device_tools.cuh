@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the kernels of several rungs share: sizes, sums over a warp and over a block.
+// What the kernels of several variants share: sizes, sums over a warp and over a block.
 #pragma once
 
 #include <cstdint>

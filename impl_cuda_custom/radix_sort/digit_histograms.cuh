@@ -12,7 +12,7 @@
 #include "core/cuda/cuda.cuh"
 #include "impl_cuda_custom/radix_sort/device_tools.cuh"
 #include "impl_cuda_custom/radix_sort/look_back.cuh"
-#include "impl_cuda_custom/radix_sort/rungs.cuh"
+#include "impl_cuda_custom/radix_sort/variants.cuh"
 
 namespace octocell::cuda_custom::digit_histograms {
 

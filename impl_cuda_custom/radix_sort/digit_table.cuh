@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of the rungs below onesweep: how often each digit occurs in each part of the input.
+// The table of the variants below onesweep: how often each digit occurs in each part of the input.
 // A row for each digit, a column for each part; summing up turns counts into places.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 #include "core/cuda/cuda.cuh"
 #include "impl_cuda_custom/radix_sort/device_tools.cuh"
-#include "impl_cuda_custom/radix_sort/rungs.cuh"
+#include "impl_cuda_custom/radix_sort/variants.cuh"
 
 namespace octocell::cuda_custom {
 

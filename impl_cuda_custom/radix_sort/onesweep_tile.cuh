@@ -11,7 +11,7 @@
 #include "impl_cuda_custom/radix_sort/device_tools.cuh"
 #include "impl_cuda_custom/radix_sort/look_back.cuh"
 #include "impl_cuda_custom/radix_sort/peers.cuh"
-#include "impl_cuda_custom/radix_sort/rungs.cuh"
+#include "impl_cuda_custom/radix_sort/variants.cuh"
 
 namespace octocell::cuda_custom::onesweep {
 

@@ -5,26 +5,26 @@
 
 #include "core/error.hpp"
 #include "impl_cuda_custom/radix_sort/digit_histograms.cuh"
-#include "impl_cuda_custom/radix_sort/rungs.cuh"
+#include "impl_cuda_custom/radix_sort/variants.cuh"
 
 namespace octocell::cuda_custom {
 namespace {
 
-struct RungCode {
+struct VariantCode {
   Shape (*shape)(std::uint32_t capacity, int bits);
   std::uint64_t (*scratch_bytes)(const Shape& shape);
   void (*launch)(const Shape& shape, const Call& call);
 };
 
-/// By the order of Rung.
-constexpr RungCode kRungs[] = {
+/// By the order of Variant.
+constexpr VariantCode kVariants[] = {
     {one_bit_split::shape, one_bit_split::scratch_bytes, one_bit_split::launch},
     {digit_passes::shape, digit_passes::scratch_bytes, digit_passes::launch},
     {reduce_then_scan::shape, reduce_then_scan::scratch_bytes, reduce_then_scan::launch},
     {onesweep::shape, onesweep::scratch_bytes, onesweep::launch},
 };
 
-const RungCode& code_of(Rung rung) { return kRungs[static_cast<int>(rung)]; }
+const VariantCode& code_of(Variant variant) { return kVariants[static_cast<int>(variant)]; }
 
 constexpr std::uint64_t kMostPairs = (std::uint64_t{1} << 31) - 1;
 
@@ -39,22 +39,23 @@ std::uint32_t checked_capacity(std::uint64_t capacity, int bits) {
 
 }  // namespace
 
-RadixSort::RadixSort(Rung rung, std::uint64_t capacity, int bits)
-    : rung_(rung), capacity_(checked_capacity(capacity, bits)) {
-  const Shape shape = code_of(rung).shape(capacity_, bits);
+RadixSort::RadixSort(Variant variant, std::uint64_t capacity, int bits)
+    : variant_(variant), capacity_(checked_capacity(capacity, bits)) {
+  const Shape shape = code_of(variant).shape(capacity_, bits);
   plan_ = shape.plan;
   tile_ = shape.tile;
 }
 
 std::uint64_t RadixSort::scratch_bytes() const {
   if (capacity_ == 0 || plan_.passes == 0) return 0;
-  return code_of(rung_).scratch_bytes({capacity_, plan_, tile_});
+  return code_of(variant_).scratch_bytes({capacity_, plan_, tile_});
 }
 
 void RadixSort::launch(KeysAndValues front, KeysAndValues back, const std::uint64_t* count,
                        void* scratch, cudaStream_t stream) const {
   if (capacity_ == 0 || plan_.passes == 0) return;
-  code_of(rung_).launch({capacity_, plan_, tile_}, {front, back, count, nullptr, scratch, stream});
+  code_of(variant_).launch({capacity_, plan_, tile_},
+                           {front, back, count, nullptr, scratch, stream});
 }
 
 std::uint64_t RadixSort::zeroed_words() const {

@@ -15,7 +15,7 @@ namespace digit_histograms {
 struct Job;
 }
 
-enum class Rung : std::uint8_t { one_bit_split, digit_passes, reduce_then_scan, onesweep };
+enum class Variant : std::uint8_t { one_bit_split, digit_passes, reduce_then_scan, onesweep };
 
 /// Two device arrays that are sorted together: one of the two sides between which pairs go to and
 /// fro. Made by arrays_in(), since both lie in one piece of memory.
@@ -37,7 +37,7 @@ class RadixSort {
  public:
   /// Sorts up to `capacity` pairs (below 2^31) by keys below 2^bits, 0 <= bits <= 32, on the device
   /// that is current. Throws LimitError, or Error for bits that no key has.
-  RadixSort(Rung rung, std::uint64_t capacity, int bits);
+  RadixSort(Variant variant, std::uint64_t capacity, int bits);
 
   /// What launch() needs at `scratch`, aligned as cudaMalloc does.
   [[nodiscard]] std::uint64_t scratch_bytes() const;
@@ -52,8 +52,8 @@ class RadixSort {
 
   /// launch() in parts, for a kernel that makes the keys and counts their digits while it has them
   /// (digit_histograms.cuh): the first words of `scratch` are zero, that kernel runs, then come the
-  /// passes. Rung onesweep, and keys of one bit or more. `out_of_order`, on the device: zero, and
-  /// the keys come in order; they are only taken to the side where the result is looked for.
+  /// passes. Variant onesweep, and keys of one bit or more. `out_of_order`, on the device: zero,
+  /// and the keys come in order; they are only taken to the side where the result is looked for.
   [[nodiscard]] int passes() const { return plan_.passes; }
   [[nodiscard]] std::uint64_t zeroed_words() const;
   [[nodiscard]] digit_histograms::Job histograms(const std::uint64_t* count, void* scratch) const;
@@ -61,10 +61,10 @@ class RadixSort {
                      const std::uint32_t* out_of_order, void* scratch, cudaStream_t stream) const;
 
  private:
-  Rung rung_;
+  Variant variant_;
   std::uint32_t capacity_;
   DigitPlan plan_;
-  int tile_ = 0;  // which of the rung's tile sizes, where it has several
+  int tile_ = 0;  // which of the variant's tile sizes, where it has several
 };
 
 }  // namespace octocell::cuda_custom

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stage 5 of half_shell: which spheres of adjacent cells overlap?
-// Reads members, rows. Writes sure pairs, and doubts for stage 6.
+// Reads members, rows. Writes sure pairs, and uncertain pairs for stage 6.
 // Cost: each candidate is looked at twice where its sphere finds something; five rows are searched
 //       for a sphere, and nine for each coarser level.
 // Idea: count, scan, write, one work item a sphere. Shell says which runs it meets.
@@ -20,8 +20,8 @@ struct ShellTest {
   const Flags* flags;  // none: every pair may collide
   PairTest test;
 
-  template <typename OnSure, typename OnDoubt>
-  OCTOCELL_HD void run(std::uint64_t k, OnSure on_sure, OnDoubt on_doubt) const {
+  template <typename OnSure, typename OnUncertain>
+  OCTOCELL_HD void run(std::uint64_t k, OnSure on_sure, OnUncertain on_uncertain) const {
     const Object a = objects[k];
     const Sphere p = shell.members[k];
     shell.for_each_run(static_cast<std::uint32_t>(k), [&](Run others) {
@@ -33,7 +33,7 @@ struct ShellTest {
         if (is_sure(test, p, q)) {
           on_sure(pair);
         } else {
-          on_doubt(pair);
+          on_uncertain(pair);
         }
       }
     });

@@ -102,35 +102,37 @@ struct Shell {
 
   /// A period so short that both ends of a window meet: all columns are near, once.
   [[nodiscard]] OCTOCELL_HD static bool all_near(const Level& level) {
-    return level.grid.wraps(0) && level.grid.period(0) <= 2 * level.reach;
+    return level.grid.wraps(0) && level.grid.period(0) <= 2 * level.column_reach;
   }
 
-  /// Columns from level.reach before to level.reach behind.
+  /// Columns from level.column_reach before to level.column_reach behind.
   [[nodiscard]] OCTOCELL_HD Window window_around(const Level& level, const Row& row,
                                                  std::uint32_t column) const {
     const std::uint32_t columns = level.grid.period(0);
     if (all_near(level)) return {{row.begin, (&row + 1)->begin}, {0, 0}};
-    const bool before_first = column < level.reach;
-    const bool behind_last = column + level.reach >= columns;
-    Window window = {in_columns(row, before_first ? 0 : column - level.reach,
-                                behind_last ? columns - 1 : column + level.reach),
+    const bool before_first = column < level.column_reach;
+    const bool behind_last = column + level.column_reach >= columns;
+    Window window = {in_columns(row, before_first ? 0 : column - level.column_reach,
+                                behind_last ? columns - 1 : column + level.column_reach),
                      {0, 0}};
     if (!level.grid.wraps(0)) return window;
-    if (before_first) window.across = in_columns(row, columns + column - level.reach, columns - 1);
-    if (behind_last) window.across = in_columns(row, 0, column + level.reach - columns);
+    if (before_first)
+      window.across = in_columns(row, columns + column - level.column_reach, columns - 1);
+    if (behind_last) window.across = in_columns(row, 0, column + level.column_reach - columns);
     return window;
   }
 
-  /// In its own row: what follows sphere k, as far as level.reach columns behind.
+  /// In its own row: what follows sphere k, as far as level.column_reach columns behind.
   [[nodiscard]] OCTOCELL_HD Window window_behind(const Level& level, const Row& row,
                                                  std::uint32_t column, std::uint32_t k) const {
     const std::uint32_t columns = level.grid.period(0);
     if (all_near(level)) return {{k + 1, (&row + 1)->begin}, {0, 0}};
-    const bool behind_last = column + level.reach >= columns;
-    const Run near = in_columns(row, column, behind_last ? columns - 1 : column + level.reach);
+    const bool behind_last = column + level.column_reach >= columns;
+    const Run near =
+        in_columns(row, column, behind_last ? columns - 1 : column + level.column_reach);
     Window window = {{k + 1, near.end}, {0, 0}};
     if (behind_last && level.grid.wraps(0)) {
-      window.across = in_columns(row, 0, column + level.reach - columns);
+      window.across = in_columns(row, 0, column + level.column_reach - columns);
     }
     return window;
   }

@@ -9,7 +9,7 @@ from statistics import median
 from octocell_report.context import Gpu
 from octocell_report.load import STAGES, Impl, Place, Result, Row
 
-RUNS = ("warm", "rotated")  # the runs with stage marks whose time is the device's own
+RUNS = ("warm", "cold_cache")  # the runs with stage marks whose time is the device's own
 LAUNCH_US = 5.0  # what a kernel costs that does nothing, roughly
 ALL = "all stages"
 SCENE = "gas"  # the plain scene: only its rates are looked at over all sizes

@@ -14,9 +14,11 @@ from octocell_report.load import Result, Row
 class Verdict:
     exact: int  # default rows that ran and are exact
     wrong: list[Row]  # default rows that ran and are not
-    excused: list[Row]  # wrong by a known fault of their library; reported, not counted
+    excused: list[Row]  # wrong by a known issue of their library; reported, not counted
     skipped: int
-    exhibits: int  # rows kept because their rule is wrong; right or wrong, they do not count
+    negative_controls: (
+        int  # rows kept because their rule is wrong; right or wrong, they do not count
+    )
     unavailable: list[str]  # real scenes that could not be fetched
     finished: bool
     variants: int  # planned rows with skips forbidden that ran: asked to be exact, not default
@@ -33,13 +35,15 @@ class Verdict:
 
 
 def judge(result: Result) -> Verdict:
-    default = [row for row in result.rows if not row.exhibit]
+    default = [row for row in result.rows if not row.negative_control]
     return Verdict(
         exact=sum(row.status == "ok" for row in default),
         wrong=[row for row in default if row.status == "wrong" and not row.excused],
         excused=[row for row in default if row.excused],
         skipped=sum(row.status == "skipped" for row in result.rows),
-        exhibits=sum(row.exhibit and row.status != "skipped" for row in result.rows),
+        negative_controls=sum(
+            row.negative_control and row.status != "skipped" for row in result.rows
+        ),
         unavailable=[g.scene for g in result.groups if g.unavailable is not None],
         finished=bool(result.context["finished"]),
         variants=sum(row.status != "skipped" for row in result.variants),
@@ -48,7 +52,8 @@ def judge(result: Result) -> Verdict:
 
 
 def headline(verdict: Verdict, language: str = "en") -> str:
-    """A sentence, two with wrong variants; 'default' rows ran, are no exhibits and no variants."""
+    """A sentence, or two where variants are wrong. A 'default' row ran, and is neither a variant nor a
+    negative control."""
     text = _of_default_rows(verdict, language)
     if not verdict.wrong_variants:
         return text
@@ -69,11 +74,14 @@ def _of_default_rows(verdict: Verdict, language: str) -> str:
 
 def summary(verdict: Verdict) -> str:
     """The headline and what it does not count, in one line."""
-    parts = [headline(verdict), f"{verdict.skipped} skipped, {verdict.exhibits} exhibits."]
+    parts = [
+        headline(verdict),
+        f"{verdict.skipped} skipped, {verdict.negative_controls} negative controls.",
+    ]
     if verdict.variants:
         parts.append(f"Beside them {verdict.variants} variants with skips forbidden ran.")
     if verdict.excused:
-        parts.append(f"{len(verdict.excused)} miss pairs by known faults of their libraries.")
+        parts.append(f"{len(verdict.excused)} miss pairs by known issues of their libraries.")
     if verdict.unavailable:
         parts.append(f"Unavailable: {', '.join(verdict.unavailable)}.")
     if not verdict.finished:

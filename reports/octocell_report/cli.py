@@ -54,7 +54,9 @@ def _parser() -> Parser:
     )
     build.set_defaults(command=_build)
 
-    check = commands.add_parser("check", help="exit 1 if a row is wrong that is no exhibit")
+    check = commands.add_parser(
+        "check", help="exit 1 if a row is wrong that is no negative control"
+    )
     check.add_argument("result", type=Path, metavar="RESULT.json")
     check.set_defaults(command=_check)
 
@@ -77,18 +79,20 @@ def _parser() -> Parser:
     readme.add_argument("--check", action="store_true", help="write nothing; exit 1 if it differs")
     readme.set_defaults(command=_readme)
 
-    promise = commands.add_parser("promise", help="write the tables of what was tried to break it")
-    promise.add_argument(
+    guarantee = commands.add_parser(
+        "guarantee", help="write the tables of what was tried to break it"
+    )
+    guarantee.add_argument(
         "paths",
         type=Path,
         nargs="+",
         metavar="FOLDER|FILE.md",
         help="folders of results, for markers that name none; then the files with the markers",
     )
-    promise.add_argument(
+    guarantee.add_argument(
         "--check", action="store_true", help="write nothing; exit 1 if one differs"
     )
-    promise.set_defaults(command=_promise)
+    guarantee.set_defaults(command=_guarantee)
 
     sort = commands.add_parser("sort", help="plots and a table from octocell bench-sort's JSON")
     sort.add_argument("result", type=Path, metavar="SORT.json")
@@ -203,13 +207,13 @@ def _readme(options: argparse.Namespace) -> int:
     return 1 if options.check else 0
 
 
-def _promise(options: argparse.Namespace) -> int:
+def _guarantee(options: argparse.Namespace) -> int:
     from octocell_report.readme import rewrite
 
     folders = [path for path in options.paths if path.suffix != ".md"]
     files = [path for path in options.paths if path.suffix == ".md"]
     if not files:
-        raise ReportError("promise: names no .md file to write")
+        raise ReportError("guarantee: names no .md file to write")
     every = []
     for path in files:
         differing = rewrite(None, path, check_only=options.check, folders=folders)

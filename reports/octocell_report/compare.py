@@ -24,7 +24,7 @@ from octocell_report.spread import LEAST_ROUNDS, SHARE, TAILS, drawn_medians
 
 @dataclass(frozen=True)
 class Change:
-    """One row that is exact, and no exhibit, in both."""
+    """One row that is exact, and no negative control, in both."""
 
     old: Row
     new: Row
@@ -77,7 +77,7 @@ def compare(old: Result, new: Result, threshold: float) -> Comparison:
 
 
 def _standing(row: Row) -> tuple[str, bool]:
-    return row.status, row.exhibit
+    return row.status, row.negative_control
 
 
 def _change(old: Row, new: Row, threshold: float) -> Change:
@@ -170,7 +170,7 @@ def _word(row: Row) -> str:
     """Its status, and what there is to say of it."""
     if row.status == "skipped":
         return f"skipped ({words.short_reason(row.reason, 40)})"
-    return words.verdict(row) if row.status == "wrong" or row.exhibit else "exact"
+    return words.verdict(row) if row.status == "wrong" or row.negative_control else "exact"
 
 
 def _table(verdict: str, changes: list[Change]) -> list[str]:

@@ -79,9 +79,9 @@ class Point:
         return MILLION * errors / max(1, self.pairs)
 
     @property
-    def promised(self) -> bool:
+    def claimed(self) -> bool:
         """Its series claims to be exact, and is not known to be wrong."""
-        return not self.row.exhibit and not self.row.known_faults
+        return not self.row.negative_control and not self.row.known_issues
 
     @property
     def depth(self) -> float | None:
@@ -116,7 +116,7 @@ class Summary:
     @property
     def exact(self) -> bool:
         """No error anywhere, and not by luck."""
-        return self.errors == 0 and all(point.promised for point in self.points)
+        return self.errors == 0 and all(point.claimed for point in self.points)
 
     def worst(self, kind: str) -> Point | None:
         """The scene with most pairs of that kind (missed, false) per true pair; None without."""
@@ -242,7 +242,7 @@ def _points(result: Result) -> list[Point]:
 def _shown(row: Row) -> bool:
     """It ran, its errors are known, and they are the predicate's, not those of a wrong rule."""
     known = row.run == RUN and row.status != "skipped" and row.missed is not None
-    wrong_rule = row.exhibit and row.predicate in (None, EXACT)
+    wrong_rule = row.negative_control and row.predicate in (None, EXACT)
     return known and not wrong_rule and row.place.n > 0 and row.median_ms > 0
 
 

@@ -44,7 +44,7 @@ def points_frame(study: Study) -> pd.DataFrame:
             **{"n": point.group.n, "true_pairs": point.group.truth_pairs},
             **{"backend": point.series.backend, "predicate": point.series.predicate},
             **{"method": point.row.impl.method, "rule": point.row.impl.rule},
-            **{"threads": point.row.impl.threads, "promised_exact": point.promised},
+            **{"threads": point.row.impl.threads, "claims_exact": point.claimed},
             "ns_per_sphere": point.ns,
             **{"missed": point.row.missed, "false": point.row.false},
             "duplicates": point.row.duplicates,

@@ -36,8 +36,8 @@ def overview(result: Result, language: str = "en") -> list[str]:
     """What stands under the headline."""
     verdict = check.judge(result)
     found = []
-    if verdict.exhibits:
-        found.append(_exhibits(result, language))
+    if verdict.negative_controls:
+        found.append(_negative_controls(result, language))
     if verdict.excused:
         names = list(dict.fromkeys(words.labels(result)[row.impl] for row in verdict.excused))
         values = {"rows": len(verdict.excused), "names": listed(names, language)}
@@ -53,9 +53,9 @@ def overview(result: Result, language: str = "en") -> list[str]:
     return found + speed(result, "warm", language)
 
 
-def _exhibits(result: Result, language: str) -> str:
+def _negative_controls(result: Result, language: str) -> str:
     """How much the rules lose that are kept for their faults."""
-    rows = [row for row in result.rows if row.exhibit and row.status != "skipped"]
+    rows = [row for row in result.rows if row.negative_control and row.status != "skipped"]
     truth = {group.place: group.truth_pairs for group in result.groups}
     shares = [
         100 * row.missed / pairs
@@ -63,11 +63,11 @@ def _exhibits(result: Result, language: str) -> str:
         if row.missed and (pairs := truth[row.place]) is not None and pairs > 0
     ]
     rules = list(dict.fromkeys(words.labels(result)[row.impl] for row in rows))
-    text = tell(language, "exhibits", rows=len(rows), rules=listed(rules, language))
+    text = tell(language, "negative_controls", rows=len(rows), rules=listed(rules, language))
     if not shares:
-        return tell(language, "exhibits_missed_none", exhibits=text)
+        return tell(language, "negative_controls_missed_none", negative_controls=text)
     share = spanned(shares, words.number, language)
-    return tell(language, "exhibits_missed", exhibits=text, share=share)
+    return tell(language, "negative_controls_missed", negative_controls=text, share=share)
 
 
 def time(result: Result, run: str, language: str = "en") -> list[str]:

@@ -171,9 +171,9 @@ def share(value: float) -> str:
 
 
 def _map(study: Study, language: str) -> list[str]:
-    """What should not be: a promise broken, an answer that does not repeat, a library's losses."""
+    """What should not be: a claim broken, an answer that does not repeat, a library's losses."""
     found = []
-    ours = [p for p in study.points if p.series.predicate and p.promised]
+    ours = [p for p in study.points if p.series.predicate and p.claimed]
     broken = [point for point in ours if point.errors]
     if broken:
         found.append(tell(language, "error_broken", cases=_places(broken, language)))

@@ -29,7 +29,7 @@ def times_frame(result: Result) -> pd.DataFrame:
             "run": row.run,
             "motion": row.motion.scene if row.motion else None,
             "status": row.status,
-            "exhibit": row.exhibit,
+            "negative_control": row.negative_control,
             "missed": row.missed,
             "false": row.false,
             "duplicates": row.duplicates,
@@ -40,7 +40,7 @@ def times_frame(result: Result) -> pd.DataFrame:
             "plan_ms": row.plan_ms,
             "ns_per_sphere": tables.ns_per_sphere(row),
             "candidates_per_pair": tables.candidates_per_pair(result, row),
-            "doubts": row.doubts,
+            "uncertain_pairs": row.uncertain_pairs,
             "bytes_per_sphere_beyond": tables.beyond_bytes(row),
             "device_bytes": row.device_bytes,
         }

@@ -9,7 +9,7 @@ from statistics import median
 from octocell_report import tables
 from octocell_report.load import Impl, Place, Result, Row
 
-RUNS = ("warm", "rotated", "graph", "transfers", "cold")  # from the barest time to the fullest
+RUNS = ("warm", "cold_cache", "graph", "transfers", "cold")  # from the barest time to the fullest
 
 
 @dataclass(frozen=True)

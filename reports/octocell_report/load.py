@@ -39,8 +39,8 @@ from octocell_report.motion import Motion, motion_of
 from octocell_report.plan import Plan, plan_of, variant_of
 from octocell_report.predicates import EXACT, Distances, distances_of, predicate_of
 
-SCHEMA = 1
-DEVICE_RUNS = ("rotated", "graph", "transfers")  # of backends on a device, beside cold and warm
+SCHEMA = 2
+DEVICE_RUNS = ("cold_cache", "graph", "transfers")  # of backends on a device, beside cold and warm
 RUNS = ("cold", "warm", *DEVICE_RUNS, "first_update", "update", "dynamic")
 STATUSES = ("ok", "wrong", "skipped")
 KINDS = ("backend", "baseline")
@@ -69,7 +69,7 @@ class Row:
     kind: str
     place: Place
     run: str
-    exhibit: bool
+    negative_control: bool
     status: str
     reason: str | None
     pairs: int | None
@@ -78,7 +78,7 @@ class Row:
     false: int | None
     duplicates: int | None
     candidates: int | None
-    doubts: int | None
+    uncertain_pairs: int | None
     total_ms: tuple[float, ...]  # one per round
     stage_ms: dict[str, tuple[float, ...]]
     fused: dict[str, str]  # stage -> the stage whose time holds it
@@ -88,7 +88,7 @@ class Row:
     device_bytes: int | None  # the most device memory at a time; null on the host
     output_bytes: int | None
     motion: Motion | None  # of dynamic rows only, and not of all
-    known_faults: str  # why its library can lose pairs however it is driven; empty if it cannot
+    known_issues: str  # why its library can lose pairs however it is driven; empty if it cannot
     skips: str | None  # which variant of the planned row it is; None for rows as users have them
     plan: Plan | None  # what it came to; of our rows that ran, and not of all
     predicate: str | None  # None for baselines, and in files from before there was a choice
@@ -109,12 +109,12 @@ class Row:
     def excused(self) -> bool:
         """Wrong in the way that its library is known for: pairs are missed, nothing else."""
         only_missed = self.false == 0 and self.duplicates == 0
-        return bool(self.status == "wrong" and self.known_faults and only_missed)
+        return bool(self.status == "wrong" and self.known_issues and only_missed)
 
     @property
     def counts(self) -> bool:
-        """True if its time may stand bare: exact, and not an exhibit."""
-        return self.status == "ok" and not self.exhibit
+        """True if its time may stand bare: exact, and not a negative control."""
+        return self.status == "ok" and not self.negative_control
 
 
 @dataclass(frozen=True)
@@ -218,7 +218,7 @@ _MEASURED: dict[str, Check] = {
     "false": or_null(is_whole),
     "duplicates": or_null(is_whole),
     "candidates": or_null(is_whole),
-    "doubts": or_null(is_whole),
+    "uncertain_pairs": or_null(is_whole),
     "total_ms": is_times,
     "stage_ms": is_stages,
     "plan_ms": or_null(is_number),
@@ -254,10 +254,10 @@ def _row(item: Any, index: int) -> Row:
         kind=fields.take("kind", one_of(*KINDS)),
         place=Place(fields.take("scene", is_filled), fields.take("n", is_whole)),
         run=fields.take("run", one_of(*RUNS)),
-        exhibit=fields.take("exhibit", is_bool),
+        negative_control=fields.take("negative_control", is_bool),
         status=status,
         reason=fields.take("reason", is_text if status == "skipped" else or_null(is_text)),
-        known_faults=fields.optional("known_faults", or_null(is_text)) or "",
+        known_issues=fields.optional("known_issues", or_null(is_text)) or "",
         skips=variant_of(fields, impl.method),
         predicate=predicate,
         **(_unmeasured() if status == "skipped" else _measured(fields)),

@@ -77,19 +77,21 @@ def _scene_times(result: Result, scene: str) -> Table:
         column("spheres"),
         column("implementation", "text"),
         *((say("column_run_ms", run=run_name(run)), "") for run in runs),
-        *map(column, ("ns", "candidates", "doubts")),
+        *map(column, ("ns", "candidates", "uncertain_pairs")),
     ]
     return Table(scene, columns, lines)
 
 
 def _times(result: Result, rows: dict[str, Row], runs: list[str]) -> list[Cell]:
     warm = rows.get("warm") or next(iter(rows.values()))
-    doubts = words.NONE if warm.doubts is None else words.grouped(warm.doubts)
+    uncertain_pairs = (
+        words.NONE if warm.uncertain_pairs is None else words.grouped(warm.uncertain_pairs)
+    )
     return [
         *(_time(rows.get(run)) for run in runs),
         _number(tables.ns_per_sphere(warm) if warm.counts else None),
         _number(tables.candidates_per_pair(result, warm)),
-        Cell(doubts, value=warm.doubts),
+        Cell(uncertain_pairs, value=warm.uncertain_pairs),
     ]
 
 
@@ -107,8 +109,10 @@ def _time(row: Row | None) -> Cell:
 
 def _verdict(row: Row) -> Said:
     if row.status != "wrong":
-        return say("cell_exhibit_exact")
-    return say("cell_exhibit" if row.exhibit else "cell_wrong", losses=words.losses(row))
+        return say("cell_negative_control_exact")
+    return say(
+        "cell_negative_control" if row.negative_control else "cell_wrong", losses=words.losses(row)
+    )
 
 
 def speedups(result: Result) -> dict[str, Table]:

@@ -18,7 +18,7 @@ from octocell_report.fields import (
 EXACT = "exact"  # what users get; the others are run to be compared with it
 FLOAT32 = "f32"  # what is usually written
 
-# From what promises most to what is usually simplest; each in a few words of a formula.
+# From what claims most to what is usually simplest; each in a few words of a formula.
 MEANINGS = {
     EXACT: "float32 with a proved band, then integers",
     "q16_exact": "16-bit positions in the cell; survivors as exact",

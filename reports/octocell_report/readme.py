@@ -7,7 +7,7 @@
 
 A marker may name the result that its block is written from, by its path from the file's folder:
 <!-- octocell:gpu_speed reports/results/h100/gpu.json -->. Else it is the one that was given.
-Blocks of the promise are written from folders of results, and may name one the same way.
+Blocks of the guarantee are written from folders of results, and may name one the same way.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from pathlib import Path
 from statistics import median
 
 from octocell_report import (
-    evidence,
     markdown,
     readme_gpu,
+    readme_guarantee,
     readme_kinds,
-    readme_promise,
     readme_sorts,
     sort,
     tables,
+    verification,
     words,
 )
 from octocell_report.fields import ReportError, naming
@@ -47,7 +47,7 @@ def rewrite(
 ) -> list[str]:
     """Names of the blocks that differed; unless check_only, the file has them all now.
 
-    Without a result only the promise's blocks are written, from the folders if they name none.
+    Without a result only the guarantee's blocks are written, from the folders if they name none.
     """
     text = read_text(path)
     with naming(path):
@@ -62,12 +62,12 @@ def filled(
 ) -> tuple[str, list[str]]:
     """The text with its blocks written anew, and the names of those that differed."""
     newline = "\r\n" if "\r\n" in text else "\n"
-    benches, sorts, read = cache(load), cache(sort.load), cache(evidence.read)
+    benches, sorts, read = cache(load), cache(sort.load), cache(verification.read)
     parts, differing, end = [], [], 0
     for name, source, start, stop in _blocks(text, bool(folders)):
-        if name in readme_promise.BLOCKS:
+        if name in readme_guarantee.BLOCKS:
             given = (folder / source,) if source else tuple(folders)
-            block = readme_promise.BLOCKS[name](read(given))
+            block = readme_guarantee.BLOCKS[name](read(given))
         elif result is None:
             continue
         elif name in SORT_BLOCKS:
@@ -100,7 +100,7 @@ def _blocks(text: str, given: bool) -> list[tuple[str, str, int, int]]:
             raise ReportError(f"line {line}: {what}")
         if closes and source:
             raise ReportError(f"line {line}: only the first marker of '{name}' names a result")
-        if not (closes or source or name in BLOCKS or (given and name in readme_promise.BLOCKS)):
+        if not (closes or source or name in BLOCKS or (given and name in readme_guarantee.BLOCKS)):
             raise ReportError(f"line {line}: marker 'octocell:{name}' must name its result")
         if opened is None:
             opened = name, source, marker.end(), line
@@ -228,7 +228,7 @@ def _scene_cell(
 ) -> str:
     groups = sorted((g for g in result.groups if g.scene == scene), key=lambda g: g.n)
     here = [(group.n, cells[impl, group.place]) for group in groups]
-    wrong = [(n, cell) for n, cell in here if cell.state in ("wrong", "exhibit")]
+    wrong = [(n, cell) for n, cell in here if cell.state in ("wrong", "negative_control")]
     if wrong:
         n, cell = wrong[-1]
         return f"**{cell.text}** at {words.size(n)}"
@@ -270,4 +270,4 @@ BLOCKS: dict[str, Callable[[Result], str]] = {
 }
 # Of another kind of result, so its marker always names it.
 SORT_BLOCKS: dict[str, Callable[[SortResult], str]] = {"gpu_sorts": readme_sorts.sorts}
-KNOWN = (*BLOCKS, *SORT_BLOCKS, *readme_promise.BLOCKS)
+KNOWN = (*BLOCKS, *SORT_BLOCKS, *readme_guarantee.BLOCKS)

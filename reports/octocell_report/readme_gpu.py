@@ -53,7 +53,9 @@ def _of(result: Result, place: Place, backend: str) -> list[Row]:
     """Default rows that ran."""
     rows = result.at(place, "warm")
     return [
-        r for r in rows if r.impl.backend == backend and r.status != "skipped" and not r.exhibit
+        r
+        for r in rows
+        if r.impl.backend == backend and r.status != "skipped" and not r.negative_control
     ]
 
 

@@ -17,7 +17,7 @@ from octocell_report.markdown import table
 from octocell_report.spread import SHARE, Estimate, estimate, ratios
 
 PLANNED = "planned"
-UNTOLD = "_untold"  # ends the name of a scene whose flags only say who moves
+WITHOUT_FLAGS = "_without_flags"  # ends the name of a scene whose flags only say who moves
 
 _INTERVAL = f"in brackets their {SHARE} % interval"
 
@@ -119,8 +119,12 @@ def frames(result: Result) -> str:
     lines = []
     for row in found:
         ratio = _ratio(row.round_ms, anew[row.impl, row.place].round_ms)
-        untold = [r for r in found if r.impl == row.impl and r.place == _untold(row.place)]
-        beside = _shown(_ratio(row.round_ms, untold[0].round_ms)) if untold else words.NONE
+        without_flags = [
+            r for r in found if r.impl == row.impl and r.place == _without_flags(row.place)
+        ]
+        beside = (
+            _shown(_ratio(row.round_ms, without_flags[0].round_ms)) if without_flags else words.NONE
+        )
         labels = [row.place.scene, row.impl.backend, words.number(row.median_ms)]
         lines.append([*labels, _shown(ratio), beside])
     motion = found[0].motion
@@ -134,8 +138,8 @@ def frames(result: Result) -> str:
     return table(header, lines, note)
 
 
-def _untold(place: Place) -> Place:
-    return Place(place.scene + UNTOLD, place.n)
+def _without_flags(place: Place) -> Place:
+    return Place(place.scene + WITHOUT_FLAGS, place.n)
 
 
 def _planned(result: Result, run: str) -> dict[Place, dict[Impl, Row]]:

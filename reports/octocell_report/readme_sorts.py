@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The README's table of the radix sorts on a device: the ladder's rungs against CUB."""
+"""The README's table of the radix sorts on a device: the ladder's variants against CUB."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ ORDER = "random"
 
 
 def sorts(result: SortResult) -> str:
-    """A line per key width and rung, a column per size; behind each rate its ratio to CUB's."""
+    """A line per key width and variant, a column per size; behind each rate its ratio to CUB's."""
     found = {
         (row.bits, row.sort.algorithm, row.n): row
         for row in result.on("gpu").rows
@@ -26,12 +26,12 @@ def sorts(result: SortResult) -> str:
     if not found:
         raise ReportError("block 'gpu_sorts' needs rows of a GPU at its sizes and key widths")
     sizes = sorted({n for _, _, n in found})
-    rungs = [name for name in TITLES if any(name == known for _, known, _ in found)]
-    rungs += sorted({name for _, name, _ in found} - set(rungs))
+    variants = [name for name in TITLES if any(name == known for _, known, _ in found)]
+    variants += sorted({name for _, name, _ in found} - set(variants))
     header = ["sort", "key bits", *(f"2^{n.bit_length() - 1}" for n in sizes)]
     lines = []
     for bits in WIDTHS:
-        for name in rungs:
+        for name in variants:
             if any((bits, name, n) in found for n in sizes):
                 cells = [
                     _cell(found.get((bits, name, n)), found.get((bits, REFERENCE, n)))

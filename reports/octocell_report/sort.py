@@ -28,7 +28,7 @@ from octocell_report.fields import (
 )
 from octocell_report.files import read_json
 
-SCHEMA, KIND = 1, "sort"
+SCHEMA, KIND = 2, "sort"
 STATUSES = ("ok", "wrong", "skipped")
 DEVICES = ("cpu", "gpu")
 ORDERS = ("random", "sorted", "reversed", "constant", "few_distinct")

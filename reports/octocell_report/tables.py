@@ -27,7 +27,7 @@ def curves(result: Result, scene: str, run: str) -> dict[Impl, list[Row]]:
 
 
 def marked(result: Result, scene: str, run: str) -> list[Row]:
-    """Rows that ran but may not show a bare time: wrong ones, and exhibits."""
+    """Rows that ran but may not show a bare time: wrong ones, and negative controls."""
     return [
         row
         for row in result.rows
@@ -136,7 +136,7 @@ def _motion(row: Row) -> str | None:
 class Cell:
     """One entry of the correctness matrix, over all runs of one implementation at one place."""
 
-    state: str  # exact | wrong | exhibit | skipped | unavailable | absent
+    state: str  # exact | wrong | negative control | skipped | unavailable | absent
     text: str
 
 
@@ -149,7 +149,7 @@ def cell(rows: list[Row], group: Group) -> Cell:
     wrong = [row for row in rows if row.status == "wrong"]
     if wrong:
         worst = max(wrong, key=lambda r: (r.missed or 0) + (r.false or 0) + (r.duplicates or 0))
-        return Cell("exhibit" if worst.exhibit else "wrong", words.losses(worst))
+        return Cell("negative_control" if worst.negative_control else "wrong", words.losses(worst))
     if any(row.status == "ok" for row in rows):
         return Cell("exact", "exact")
     return Cell("skipped", words.short_reason(rows[0].reason, 24))

@@ -96,8 +96,8 @@ def losses(row: Row) -> str:
 def verdict(row: Row) -> str:
     """What must stand next to a time that is not bare."""
     if row.status == "wrong":
-        return ("exhibit " if row.exhibit else "wrong ") + losses(row)
-    return "exhibit, exact here"
+        return ("negative control " if row.negative_control else "wrong ") + losses(row)
+    return "negative control, exact here"
 
 
 def run(name: str) -> str:
@@ -155,9 +155,9 @@ def variant(row: Row) -> str:
 
 
 def titles(result: Result) -> dict[Impl, str]:
-    """Labels that also say which implementations are exhibits."""
-    shown = {row.impl for row in result.rows if row.exhibit}
+    """Labels that also say which implementations are negative controls."""
+    shown = {row.impl for row in result.rows if row.negative_control}
     return {
-        impl: f"{label} (exhibit)" if impl in shown else label
+        impl: f"{label} (negative control)" if impl in shown else label
         for impl, label in labels(result).items()
     }

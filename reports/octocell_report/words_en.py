@@ -31,7 +31,7 @@ _PAGE = {
     "plots_language": "",
     "run_cold": "cold",
     "run_warm": "warm",
-    "run_rotated": "rotated",
+    "run_cold_cache": "cold_cache",
     "run_graph": "graph",
     "run_transfers": "with transfers",
     "run_first_update": "first update",
@@ -42,7 +42,7 @@ _PAGE = {
 _TABLES = {
     "tables": "Tables",
     "tables_how": "Median in milliseconds, below it the fastest to the slowest round. Nanoseconds "
-    "per sphere, candidates and doubts are of the warm run. The same numbers, unrounded, are in the "
+    "per sphere, candidates and uncertain pairs are of the warm run. The same numbers, unrounded, are in the "
     "CSV files.",
     "speedups": "Speed-ups as tables",
     "speedups_how": "How many times as fast as the library's fastest exact row of that group: "
@@ -52,7 +52,7 @@ _TABLES = {
     "(its warm row) in the same rounds. The spheres have not moved, which is the best case of a structure "
     "that stands.",
     "gpu_table": "On the GPU",
-    "gpu_how": "Warm: scene and buffers stand on the device. Rotated: the same, but the device's cache "
+    "gpu_how": "Warm: scene and buffers stand on the device. Cold cache: the same, but the device's cache "
     "holds none of it. Graph: the stages recorded once and launched as one. With transfers: the spheres "
     "come from the host's pinned memory, and the pairs go back there. Cold: everything made from "
     "nothing. Below each time its ratio to the warm time, within rounds, median; above 1 is slower. "
@@ -69,7 +69,7 @@ _TABLES = {
     "column_run_ms": "{run} [ms]",
     "column_ns": "ns/sphere",
     "column_candidates": "candidates per true pair",
-    "column_doubts": "doubts",
+    "column_uncertain_pairs": "uncertain pairs",
     "column_against": "against",
     "column_median": "median",
     "column_range": "lowest to highest round",
@@ -87,8 +87,8 @@ _TABLES = {
     "unavailable_title": "Scenes that were not there",
     "skipped": "skipped",
     "cell_wrong": "wrong {losses}",
-    "cell_exhibit": "exhibit {losses}",
-    "cell_exhibit_exact": "exhibit, exact here",
+    "cell_negative_control": "negative control {losses}",
+    "cell_negative_control_exact": "negative control, exact here",
     "regret_table": "Regret as a table",
     "regret_how": "Planned and best time are medians; the regret is the median of their ratio within "
     "rounds. The interval holds 99 % of the medians of rounds drawn again (bootstrap). Above: the whole "
@@ -154,7 +154,7 @@ _SECTIONS = {
     "reads, and one far below it waits for something else. Hollow bars move so little that a launch takes longer.",
     "title_bandwidth_by_size": "Bandwidth by size",
     "how_bandwidth_by_size": "The same over all sizes of gas. Small scenes are held by the device's cache "
-    "in warm runs, not in rotated ones; hollow marks move so little that a launch takes longer.",
+    "in warm runs, not in those with a cold cache; hollow marks move so little that a launch takes longer.",
     "title_stages_baseline": "Stages of the baselines",
     "how_stages_baseline": "Build makes the structure, query asks it for all pairs.",
     "title_stages_per_sphere": "Stages per sphere",
@@ -206,8 +206,8 @@ _READING = {
     "read_exact_title": "Exact first.",
     "read_exact": "A row is exact if it gives the very pairs that exact arithmetic gives on the same "
     "float32 spheres: none missed, none invented, none twice. Only exact rows get a bare time.",
-    "read_exhibits_title": "Exhibits",
-    "read_exhibits": "are rules kept because they are wrong. Their losses are the lesson; they do not "
+    "read_negative_controls_title": "Negative controls",
+    "read_negative_controls": "are rules kept because they are wrong. Their losses are the lesson; they do not "
     "count against the verdict, and no speed is claimed for them.",
     "read_runs_title": "Cold, warm, update, dynamic.",
     "read_runs": "Cold starts from nothing, with planning and allocation. Warm finds all pairs from "
@@ -219,8 +219,8 @@ _READING = {
     "further, though not to every machine.",
     "read_candidates_title": "Candidates per true pair",
     "read_candidates": "says how many pairs were looked at for each one found: 1 would be perfect.",
-    "read_doubts_title": "Doubts",
-    "read_doubts": "are pairs that float32 could not decide and exact arithmetic had to.",
+    "read_uncertain_pairs_title": "Uncertain pairs",
+    "read_uncertain_pairs": "are pairs that float32 could not decide and exact arithmetic had to.",
     "read_colours_title": "Colours",
     "read_colours": "stand for backends, the same in all plots; darker shades are variants of one "
     "backend; each implementation has a marker of its own.",
@@ -235,12 +235,12 @@ _FINDINGS = {
     "headline_all": "All {checked} default rows are exact.",
     "rows_skipped_one": "1 row was skipped, each with its reason below.",
     "rows_skipped": "{rows} rows were skipped, each with its reason below.",
-    "excused": "{rows} rows of baselines miss pairs by known faults of their libraries ({names}).",
+    "excused": "{rows} rows of baselines miss pairs by known issues of their libraries ({names}).",
     "absent": "Could not run here: {backends}.",
     "not_there": "Not there: {scenes}.",
-    "exhibits": "{rows} more belong to exhibits ({rules}), kept because they are wrong",
-    "exhibits_missed": "{exhibits}: they miss {share} % of the pairs.",
-    "exhibits_missed_none": "{exhibits}; none of them missed a pair here.",
+    "negative_controls": "{rows} more belong to negative controls ({rules}), kept because they are wrong",
+    "negative_controls_missed": "{negative_controls}: they miss {share} % of the pairs.",
+    "negative_controls_missed_none": "{negative_controls}; none of them missed a pair here.",
     "range": "{low} to {high}",
     "scenes_one": "1 scene",
     "scenes": "{scenes} scenes",
@@ -316,8 +316,8 @@ _FINDINGS = {
     "depth_lost": "Deepest pair lost, by the sum of the radii: {cases}.",
     "depth_invented": "Widest gap taken for an overlap: {cases}.",
     "depth_case": "{name} {value} ({scene})",
-    "error_kept": "All {rows} rows that promise to be exact are, on {scenes}.",
-    "error_broken": "A promise is broken: {cases}.",
+    "error_kept": "All {rows} rows that claim to be exact are, on {scenes}.",
+    "error_broken": "A claim is broken: {cases}.",
     "error_libraries": "Libraries lose pairs, by their own faults: {cases}.",
     "error_unsteady": "Not the same answer in all runs: {cases}.",
     "error_more": "{count} more",

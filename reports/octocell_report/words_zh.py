@@ -30,7 +30,7 @@ _PAGE = {
     "plots_language": "图中文字为英文；术语对照见 docs/glossary.md。",
     "run_cold": "冷启动",
     "run_warm": "热运行",
-    "run_rotated": "缓存失效",
+    "run_cold_cache": "缓存失效",
     "run_graph": "图",
     "run_transfers": "含传输",
     "run_first_update": "首次更新",
@@ -62,7 +62,7 @@ _TABLES = {
     "column_run_ms": "{run} [ms]",
     "column_ns": "ns/球",
     "column_candidates": "每个真实球对的候选对数",
-    "column_doubts": "存疑对",
+    "column_uncertain_pairs": "存疑对",
     "column_against": "对照",
     "column_median": "中位数",
     "column_range": "最低到最高的一轮",
@@ -80,8 +80,8 @@ _TABLES = {
     "unavailable_title": "未找到的场景",
     "skipped": "跳过",
     "cell_wrong": "错误 {losses}",
-    "cell_exhibit": "反例 {losses}",
-    "cell_exhibit_exact": "反例，此处精确",
+    "cell_negative_control": "反例 {losses}",
+    "cell_negative_control_exact": "反例，此处精确",
     "regret_table": "遗憾值数据表",
     "regret_how": "计划时间与最佳时间都是中位数；遗憾值是两者在每轮内之比的中位数。区间包含对各轮重新抽样"
     "（自助法）所得中位数的 99 %。超出：整个区间高于目标；不确定：区间包含目标。",
@@ -182,8 +182,8 @@ _READING = {
     "read_exact_title": "精确第一。",
     "read_exact": "若一行给出的球对与对同一组 float32 球作精确运算的结果完全一致，不漏、不误、不重，"
     "它就是精确的。只有精确的行才单独列出时间。",
-    "read_exhibits_title": "反例",
-    "read_exhibits": "是因其错误而特意保留的规则。它们漏掉什么，正是要说明的问题；它们不影响总的结论，"
+    "read_negative_controls_title": "反例",
+    "read_negative_controls": "是因其错误而特意保留的规则。它们漏掉什么，正是要说明的问题；它们不影响总的结论，"
     "也不主张其速度。",
     "read_runs_title": "冷启动、热运行、更新、动态。",
     "read_runs": "冷启动从零开始，包括规划和分配。热运行在已访问过的内存中从头求出所有球对。更新只有基线才有："
@@ -192,8 +192,8 @@ _READING = {
     "read_ratios": "时间只属于这台机器的那一天。交错各轮之内的比值适用范围更广，但也不是对所有机器都成立。",
     "read_candidates_title": "每个真实球对的候选对数",
     "read_candidates": "表示每找到一对要检查多少对：1 为最佳。",
-    "read_doubts_title": "存疑对",
-    "read_doubts": "是 float32 无法判定、须由精确运算判定的球对。",
+    "read_uncertain_pairs_title": "存疑对",
+    "read_uncertain_pairs": "是 float32 无法判定、须由精确运算判定的球对。",
     "read_colours_title": "颜色",
     "read_colours": "代表后端，所有图中一致；较深的色调是同一后端的变体；每个实现有自己的标记。",
 }
@@ -209,9 +209,9 @@ _FINDINGS = {
     "excused": "{rows} 行基线因其程序库的已知缺陷而漏掉球对（{names}）。",
     "absent": "此处无法运行：{backends}。",
     "not_there": "未找到：{scenes}。",
-    "exhibits": "另有 {rows} 行属于反例（{rules}），因其错误而保留",
-    "exhibits_missed": "{exhibits}：它们漏掉 {share} % 的球对。",
-    "exhibits_missed_none": "{exhibits}；在这里没有漏掉球对。",
+    "negative_controls": "另有 {rows} 行属于反例（{rules}），因其错误而保留",
+    "negative_controls_missed": "{negative_controls}：它们漏掉 {share} % 的球对。",
+    "negative_controls_missed_none": "{negative_controls}；在这里没有漏掉球对。",
     "range": "{low} 到 {high}",
     "scenes_one": "1 个场景",
     "scenes": "{scenes} 个场景",

@@ -16,15 +16,15 @@ from program import Json, Octocell, Refused, load
 
 ROUNDS = 2
 RUNS = ("cold", "warm", "first_update", "update")  # of a baseline
-DEVICE_RUNS = ("rotated", "graph", "transfers")
+DEVICE_RUNS = ("cold_cache", "graph", "transfers")
 TINY = ("--rounds", ROUNDS, "--benchmark_min_time=0.001")
 BACKEND_STAGES = ["bounds", "cell_ids", "sort", "cell_index", "pair_tests", "resolve"]
 CONTEXT = """date commit dirty version machine compiler flags instruction_set build_type libraries
 preset rounds candidate_limit gpu finished""".split()
 GROUP = "scene n spec real unavailable frames scene_class input_rounding truth".split()
-ROW = """name backend kind method rule predicate skips scene n threads run exhibit known_faults
+ROW = """name backend kind method rule predicate skips scene n threads run negative_control known_issues
 status reason pairs checksum missed false duplicates worst_missed_depth worst_false_gap
-distinct_checksums candidates doubts iterations total_ms stage_ms marked_total_ms
+distinct_checksums candidates uncertain_pairs iterations total_ms stage_ms marked_total_ms
 plan_ms plan fused stage_bytes peak_bytes device_bytes output_bytes""".split()
 
 
@@ -39,7 +39,7 @@ def tiny(octocell: Octocell, tmp_path_factory: pytest.TempPathFactory) -> Json:
 
 
 def test_context(tiny: Json) -> None:
-    assert tiny["schema"] == 1
+    assert tiny["schema"] == 2
     context = tiny["context"]
     assert set(CONTEXT) <= set(context)
     assert re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ", context["date"])
@@ -106,11 +106,11 @@ def test_rows_of_what_cannot_run_here_say_why(tiny: Json, octocell: Octocell) ->
         assert row["reason"] == reason
 
 
-def test_every_row_that_is_no_exhibit_is_right(tiny: Json, tiny_runs: list[Json]) -> None:
+def test_every_row_that_is_no_negative_control_is_right(tiny: Json, tiny_runs: list[Json]) -> None:
     truth = tiny["groups"][0]["truth"]
     for row in tiny_runs:
-        assert row["exhibit"] == (row["rule"] == "as_written")
-        if row["exhibit"]:
+        assert row["negative_control"] == (row["rule"] == "as_written")
+        if row["negative_control"]:
             assert (row["status"], row["false"], row["duplicates"]) == ("wrong", 0, 0)
             assert row["missed"] == truth["pairs"] - row["pairs"] > 0
             assert 0 < row["worst_missed_depth"] <= 1
@@ -136,7 +136,7 @@ def test_rows_hold_what_the_schema_says(tiny_runs: list[Json]) -> None:
         assert (row["device_bytes"] is None) == ("cuda" not in row["backend"])
         baseline = row["kind"] == "baseline"
         assert row["kind"] in ("backend", "baseline")
-        assert (row["doubts"] is None) == (row["plan_ms"] is None) == baseline
+        assert (row["uncertain_pairs"] is None) == (row["plan_ms"] is None) == baseline
         assert (row["plan"] is None) == baseline
         assert row["candidates"] >= row["pairs"]
         assert row["output_bytes"] == 8 * row["pairs"]
@@ -174,7 +174,7 @@ def test_skipped_rows_say_why(octocell: Octocell, tmp_path: Path) -> None:
         assert why_not in row["reason"]
         assert set(row) == set(ROW)
         nulls = """pairs checksum missed false duplicates worst_missed_depth worst_false_gap
-        distinct_checksums candidates doubts""".split()
+        distinct_checksums candidates uncertain_pairs""".split()
         assert {row[key] for key in nulls} == {None}
         assert row["total_ms"] == []
 

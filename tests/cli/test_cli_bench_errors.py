@@ -86,7 +86,7 @@ def test_the_error_preset_tells_class_and_rounding(octocell: Octocell, tmp_path:
     assert rounding[1] == {"lost": 0, "gained": 0}
     assert all(far["lost"] > 0 < far["gained"] for far in rounding[2:])
     for row in document["rows"]:
-        assert row["status"] == "ok" or row["exhibit"], row["name"]
+        assert row["status"] == "ok" or row["negative_control"], row["name"]
     assert {row["predicate"] for row in document["rows"]} >= {"exact", "f32", "q16_exact"}
 
 

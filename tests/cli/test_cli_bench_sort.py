@@ -40,7 +40,7 @@ def tiny(octocell: Octocell, tmp_path_factory: pytest.TempPathFactory) -> Json:
 
 def test_document(tiny: Json) -> None:
     assert list(tiny) == ["schema", "kind", "context", "rows"]
-    assert (tiny["schema"], tiny["kind"]) == (1, "sort")
+    assert (tiny["schema"], tiny["kind"]) == (2, "sort")
     context = tiny["context"]
     assert set(context["libraries"]) == {"boost", "tbb", "highway"}
     assert (context["preset"], context["rounds"], context["finished"]) == ("quick", ROUNDS, True)

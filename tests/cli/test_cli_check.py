@@ -39,23 +39,23 @@ def test_check_tries_every_implementation_on_every_generator(octocell: Octocell)
             if backend in unavailable:
                 assert verdict == f"skipped: {unavailable[backend]}"
                 continue
-            excused = "as_written" in row or "a known fault of the library" in row
+            excused = "as_written" in row or "a known issue of the library" in row
             assert verdict == "exact" or excused, row
-    last = r"^\d+ exact, 0 wrong, \d+ known faults, \d+ exhibits with losses, (\d+) skipped$"
+    last = r"^\d+ exact, 0 wrong, \d+ known issues, \d+ negative controls with losses, (\d+) skipped$"
     skipped = re.search(last, text, re.MULTILINE)
     assert skipped and int(skipped[1]) == text.count(" skipped: ")
 
 
-def test_check_reports_known_faults_and_fails_for_them_if_strict(octocell: Octocell) -> None:
+def test_check_reports_known_issues_and_fails_for_them_if_strict(octocell: Octocell) -> None:
     assert octocell.faulty() == {"fcl_sap", "fcl_interval_tree", "fcl_spatial_hashing"}
     args = ("check", "lattice:n=3000", "--backend", "fcl_sap")
     text = octocell.ok(*args).stdout
     row = (
         r"^  fcl_sap +wrong: missed [1-9]\d* \([\d.e+]+ per million, deepest 0 of r1 \+ r2\), false 0,"
-        r" duplicates 0 \(a known fault of the library"
+        r" duplicates 0 \(a known issue of the library"
     )
     assert re.search(row, text, re.MULTILINE), text
-    assert "0 exact, 0 wrong, 1 known faults, 0 exhibits with losses, 0 skipped" in text
+    assert "0 exact, 0 wrong, 1 known issues, 0 negative controls with losses, 0 skipped" in text
     assert octocell.run(*args, "--strict").rc == 1
     assert octocell.run("check", "gas:n=500", "--strict").rc == 0
 
@@ -87,19 +87,19 @@ def test_check_of_a_file(octocell: Octocell, name: str, tmp_path: Path) -> None:
 def test_check_of_one_backend(octocell: Octocell) -> None:
     text = octocell.ok("check", "gas:n=100", "--backend", "bullet_dbvt").stdout
     assert len(text.splitlines()) == 3
-    assert "1 exact, 0 wrong, 0 known faults, 0 exhibits with losses, 0 skipped" in text
+    assert "1 exact, 0 wrong, 0 known issues, 0 negative controls with losses, 0 skipped" in text
 
 
 def test_check_shows_the_losses_of_as_written(octocell: Octocell) -> None:
     text = octocell.ok("check", "gas:n=2000", "--backend", "impl_cpu").stdout
     row = next(line for line in text.splitlines() if "as_written" in line)
     losses = r"missed (\d+) \((\S+) per million, deepest (\S+) of r1 \+ r2\), false 0, duplicates 0"
-    missed = re.search(losses + r" \(an exhibit", row)
+    missed = re.search(losses + r" \(a negative control", row)
     assert missed and int(missed[1]) > 0
     true_pairs = int(re.search(r"(\d+) pairs\)", text)[1])
     assert float(missed[2]) == pytest.approx(1e6 * int(missed[1]) / true_pairs, rel=1e-2)
     assert 0 < float(missed[3]) <= 1
-    assert "1 exhibits with losses" in text
+    assert "1 negative controls with losses" in text
 
 
 def test_check_says_why_a_row_is_skipped(octocell: Octocell) -> None:

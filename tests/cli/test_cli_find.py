@@ -16,7 +16,7 @@ from hard_scenes import SCENES, Spheres
 BACKEND_STAGES = ["bounds", "cell_ids", "sort", "cell_index", "pair_tests", "resolve"]
 KEYS = (
     "scene n static backend method planned rule predicate threads pairs checksum candidates "
-    "doubts runs plan_ms total_ms stage_ms"
+    "uncertain_pairs runs plan_ms total_ms stage_ms"
 ).split()
 
 # One line each of x y z r; the same spheres in every format.
@@ -106,11 +106,11 @@ def test_as_written_loses_the_same_pairs_every_time(
         assert again == found, threads
 
 
-def test_as_written_is_an_exhibit_because_it_loses_pairs(octocell: Octocell) -> None:
+def test_as_written_is_a_negative_control_because_it_loses_pairs(octocell: Octocell) -> None:
     whole = octocell.find("gas:n=5000")
-    exhibit = octocell.find("gas:n=5000", "--rule", "as_written")
-    assert 0 < exhibit["pairs"] < whole["pairs"]
-    assert "exhibit" in octocell.ok("find", "gas:n=5000", "--rule", "as_written").stdout
+    negative_control = octocell.find("gas:n=5000", "--rule", "as_written")
+    assert 0 < negative_control["pairs"] < whole["pairs"]
+    assert "negative control" in octocell.ok("find", "gas:n=5000", "--rule", "as_written").stdout
 
 
 @pytest.mark.parametrize("scene", ["gas:n=20000", "poly:n=20000", "lattice:n=20000,shuffle=1"])
@@ -124,7 +124,7 @@ def test_the_number_of_threads_changes_nothing(
         answer = octocell.find(scene, "--rule", rule, "--threads", threads, "-o", path)
         assert answer["threads"] == threads
         files.add(path.read_bytes())
-        answers.add(tuple(answer[key] for key in ("pairs", "checksum", "candidates", "doubts")))
+        answers.add(tuple(answer[key] for key in ("pairs", "checksum", "candidates", "uncertain_pairs")))
     assert len(answers) == 1
     assert len(files) == 1
 

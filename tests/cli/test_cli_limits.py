@@ -71,8 +71,8 @@ def test_no_other_thread_is_an_answer(
     assert result.rc == 0 and result.stderr.count("\n") == 1, result
 
 
-def test_near_ties_do_without_threads(octocell: Octocell, one_process: ControlGroup) -> None:
-    octocell.ok("near-ties", "--pairs", 100, "--threads", 8, preexec_fn=one_process.enter)
+def test_near_tangent_do_without_threads(octocell: Octocell, one_process: ControlGroup) -> None:
+    octocell.ok("near-tangent", "--pairs", 100, "--threads", 8, preexec_fn=one_process.enter)
 
 
 def test_a_row_without_its_threads_is_skipped(

@@ -25,7 +25,7 @@ def ours(octocell: Octocell, tmp_path_factory: pytest.TempPathFactory) -> Json:
 
 
 def test_the_json_says_where_it_comes_from(ours: Json) -> None:
-    assert (ours["schema"], ours["kind"]) == (1, "stress")
+    assert (ours["schema"], ours["kind"]) == (2, "stress")
     context = ours["context"]
     assert context["finished"] is True
     assert context["size"] == "slice"
@@ -54,7 +54,7 @@ def test_rows_of_ours_are_exact_or_refused(ours: Json, octocell: Octocell) -> No
             assert row["status"] == "exact", row
 
 
-def test_no_exhibit_takes_part(ours: Json) -> None:
+def test_no_negative_control_takes_part(ours: Json) -> None:
     assert not [row for row in ours["rows"] if row["rule"] == "as_written"]
 
 

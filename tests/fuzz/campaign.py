@@ -89,7 +89,7 @@ def main() -> int:
     arguments = parser.parse_args()
     check_outputs([arguments.output], (program(arguments.build, name) for name in TARGETS))
 
-    document = {"schema": 1, "kind": "fuzz", "context": context(), "targets": []}
+    document = {"schema": 2, "kind": "fuzz", "context": context(), "targets": []}
     failed = False
     for name in TARGETS:
         tried = fuzz(name, arguments.build, arguments.seconds)

@@ -15,11 +15,11 @@
 namespace octocell::fuzz {
 namespace {
 
-/// Backends of ours that run here without a device; an exhibit is wrong by intent.
+/// Backends of ours that run here without a device; a negative control is wrong by intent.
 std::vector<Implementation> judged() {
   std::vector<Implementation> list = implementations();
   std::erase_if(list, [](const Implementation& how) {
-    return how.is_baseline() || how.exhibit() || how.backend->device;
+    return how.is_baseline() || how.negative_control() || how.backend->device;
   });
   return list;
 }

@@ -52,7 +52,7 @@ TEST_F(FramesOnDevice, WithStaticSpheresThatStayHaveTheExactPairs) {
       Player player = on_device(moving());
       int served = 0;
       for (const Spheres& spheres : frames) {
-        served += player.check({spheres, flags}, spec).served_by ? 1 : 0;
+        served += player.check({spheres, flags}, spec).reused ? 1 : 0;
       }
       EXPECT_TRUE(served >= 5 || motion == Motion::gravity) << spec << ": " << served;
     }
@@ -63,11 +63,11 @@ TEST_F(FramesOnDevice, ThatAreUnchangedNeedNoSearch) {
   for (const char* spec : {"gas:n=20000", "poly:n=20000", "lattice:n=8000", "gas:n=3"}) {
     const Spheres spheres = generate(spec).spheres;
     Player player = on_device(moving());
-    EXPECT_FALSE(player.check({spheres}, spec).served_by);
+    EXPECT_FALSE(player.check({spheres}, spec).reused);
     for (int frame = 0; frame < 3; ++frame) {
       const Spheres copy = spheres;
       const Counts counts = player.check({copy}, spec);
-      EXPECT_EQ(counts.served_by, Skip::unchanged) << spec;
+      EXPECT_EQ(counts.reused, Skip::unchanged) << spec;
       EXPECT_EQ(counts.candidates, 0U) << spec;
     }
   }
@@ -81,10 +81,10 @@ TEST_F(FramesOnDevice, ThatDifferByOneBitAreNotUnchanged) {
     for (float Sphere::*const part : {&Sphere::x, &Sphere::z, &Sphere::r}) {
       Spheres spheres = start;
       spheres[changed].*part = std::nextafter(spheres[changed].*part, 0.0F);
-      EXPECT_NE(player.check({spheres}, "an ulp").served_by, Skip::unchanged);
+      EXPECT_NE(player.check({spheres}, "an ulp").reused, Skip::unchanged);
       player.check({start}, "back again");
       player.check({start}, "still, and a copy is made");
-      EXPECT_EQ(player.check({start}, "still").served_by, Skip::unchanged);
+      EXPECT_EQ(player.check({start}, "still").reused, Skip::unchanged);
     }
   }
 }
@@ -96,7 +96,7 @@ TEST_F(FramesOnDevice, ThatMoveSlowlyTestTheNearPairsAndNoOthers) {
     int served = 0;
     for (const Spheres& spheres : frames) {
       const Counts counts = player.check({spheres}, spec);
-      if (counts.served_by != Skip::skin) continue;
+      if (counts.reused != Skip::skin) continue;
       ++served;
       EXPECT_LE(counts.candidates, 4 * counts.pairs + 20000) << spec;
     }
@@ -104,7 +104,7 @@ TEST_F(FramesOnDevice, ThatMoveSlowlyTestTheNearPairsAndNoOthers) {
   }
 }
 
-/// Frames are supposed to go like the last; those that do not, do what was left out in vain.
+/// A frame is predicted to go like the last; a mispredicted one does afterwards what it left out.
 TEST_F(FramesOnDevice, ThatAreSearchedAfterAllHaveTimesOfAllStages) {
   const Spheres start = generate("gas:n=20000").spheres;
   const Spheres other(start.rbegin(), start.rend());
@@ -120,7 +120,7 @@ TEST_F(FramesOnDevice, ThatAreSearchedAfterAllHaveTimesOfAllStages) {
       finder->update({spheres});
       finder->find_pairs(*clock);
       served_before = served;
-      served = finder->counts().served_by;
+      served = finder->counts().reused;
       EXPECT_EQ(finder->digest(), digest_of(reference::exact_pairs(spheres)));
     }
     EXPECT_EQ(served_before, motion == Motion::still ? Skip::unchanged : Skip::skin);
@@ -144,7 +144,7 @@ TEST_F(FramesOnDevice, ThatFailedAreNoGround) {
     for (int frame = 0; frame < 4; ++frame) {
       finder->find_pairs(clock);
       const Counts counts = finder->counts();
-      EXPECT_FALSE(counts.served_by) << "a list that was too small holds no pairs";
+      EXPECT_FALSE(counts.reused) << "a list that was too small holds no pairs";
       EXPECT_EQ(counts.pairs > 0, pairs);
       EXPECT_EQ(counts.over_candidate_limit, !pairs);
     }
@@ -158,18 +158,18 @@ TEST_F(FramesOnDevice, ThatFailedAreNoGround) {
     finder->find_pairs(clock);
     const Counts counts = finder->counts();
     EXPECT_EQ(counts.plan_violation.has_value(), spheres == &outside);
-    EXPECT_FALSE(counts.plan_violation && counts.served_by);
+    EXPECT_FALSE(counts.plan_violation && counts.reused);
     if (spheres == &start) {
       EXPECT_EQ(finder->digest(), digest_of(reference::exact_pairs(start)));
     }
   }
 }
 
-/// A list of doubts that is too short in a frame that the near pairs serve.
-TEST_F(FramesOnDevice, WithMoreDoubtsThanRoomAreNotComplete) {
+/// A list of uncertain pairs that is too short in a frame that the neighbor pairs serve.
+TEST_F(FramesOnDevice, WithMoreUncertainPairsThanRoomAreNotComplete) {
   const Frames frames = by_an_ulp(0.05);
   Plan plan = plan_scene({frames[0]}, moving());
-  plan.capacity.doubts = 5;
+  plan.capacity.uncertain_pairs = 5;
   const std::unique_ptr<PairFinder> finder = cuda_custom::make_backend();
   finder->upload(plan, {frames[0]});
   HostClock clock;
@@ -177,8 +177,8 @@ TEST_F(FramesOnDevice, WithMoreDoubtsThanRoomAreNotComplete) {
     finder->update({spheres});
     finder->find_pairs(clock);
     const Counts counts = finder->counts();
-    EXPECT_GT(counts.doubts, plan.capacity.doubts);
-    EXPECT_FALSE(counts.served_by);
+    EXPECT_GT(counts.uncertain_pairs, plan.capacity.uncertain_pairs);
+    EXPECT_FALSE(counts.reused);
   }
 }
 
@@ -209,7 +209,7 @@ TEST_F(FramesOnDevice, WithOtherFlagsAreSearched) {
                            : flags_of(frames[f].size(), 0.3 * static_cast<double>(times_changed),
                                       static_cast<unsigned>(times_changed));
     const Counts counts = player.check({frames[f], flags}, "frame " + std::to_string(f));
-    EXPECT_FALSE(f % 6 == 0 && counts.served_by) << f;
+    EXPECT_FALSE(f % 6 == 0 && counts.reused) << f;
   }
 }
 
@@ -263,7 +263,7 @@ TEST_F(FramesOnDevice, ThatAreOnlyCountedAreSearched) {
   const Spheres spheres = generate("gas:n=5000").spheres;
   Player player = on_device(count);
   for (int frame = 0; frame < 3; ++frame) {
-    EXPECT_FALSE(player.show({spheres}).served_by);
+    EXPECT_FALSE(player.show({spheres}).reused);
     EXPECT_EQ(player.finder().digest(), digest_of(reference::exact_pairs(spheres)));
   }
 }

@@ -62,7 +62,7 @@ class CudaCustom : public OnDevice, public testing::WithParamInterface<Way> {
       plan.capacity.ids = plan.capacity.ids * 2 + 4096;
       plan.capacity.cells = plan.capacity.ids;
       plan.capacity.pairs = 40 * n + 64 + (n <= 2000 ? n * n / 2 : 0);
-      plan.capacity.doubts = plan.capacity.pairs;
+      plan.capacity.uncertain_pairs = plan.capacity.pairs;
       return plan;
     } catch (const LimitError&) {
       return std::nullopt;
@@ -101,7 +101,7 @@ class CudaCustom : public OnDevice, public testing::WithParamInterface<Way> {
     EXPECT_EQ(ours.ids, theirs.ids) << scene.spec;
     EXPECT_EQ(ours.cells, theirs.cells) << scene.spec;
     EXPECT_EQ(ours.candidates, theirs.candidates) << scene.spec;
-    EXPECT_EQ(ours.doubts, theirs.doubts) << scene.spec;
+    EXPECT_EQ(ours.uncertain_pairs, theirs.uncertain_pairs) << scene.spec;
     EXPECT_EQ(ours.pairs, theirs.pairs) << scene.spec;
     EXPECT_EQ(ours.plan_violation, theirs.plan_violation) << scene.spec;
     EXPECT_EQ(finder_->digest(), cpu->digest()) << scene.spec;

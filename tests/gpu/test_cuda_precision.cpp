@@ -52,8 +52,8 @@ TEST_P(CudaPrecision, IsExactWhereItPromisesTo) {
     for (const Method method : device().methods) {
       for (const bool count_only : {false, true}) {
         for (const Skips allowed :
-             {Skips::all(), Skips::all().without(Skip::doubts).without(Skip::equal_radii),
-              Skips::all().without(Skip::safe_band)}) {
+             {Skips::all(), Skips::all().without(Skip::uncertain_pairs).without(Skip::equal_radii),
+              Skips::all().without(Skip::safe_filter)}) {
           EXPECT_EQ(digest(device(), scene.view(),
                            {.method = method, .count_only = count_only, .allowed = allowed}),
                     truth)
@@ -64,7 +64,7 @@ TEST_P(CudaPrecision, IsExactWhereItPromisesTo) {
   }
 }
 
-/// Fused operations may round otherwise: near ties f32 and f64 are each machine's own.
+/// Fused operations may round otherwise: near-tangent pairs f32 and f64 are each machine's own.
 TEST_P(CudaPrecision, SaysWhatTheHostSays) {
   if (GetParam() == Predicate::f32 || GetParam() == Predicate::f64) return;
   for (const char* spec : {"gas:n=5000", "poly:n=5000", "lattice:n=9261,spacing=0.1"}) {
@@ -96,7 +96,7 @@ TEST_P(CudaPrecision, ChecksAgainWhatItsTestRestsOn) {
     EXPECT_FALSE(ask(*finder, on_lattice, lattice.view()).counts.plan_violation);
     EXPECT_TRUE(ask(*finder, on_lattice, moved.view()).counts.plan_violation);
     const Plan equal = roomy_plan(gas, {.method = method});
-    ASSERT_EQ(equal.test, PairTest::band_equal);
+    ASSERT_EQ(equal.test, PairTest::filter_equal);
     Scene shrunk = gas;
     shrunk.spheres[700].r = 0.0F;
     EXPECT_FALSE(ask(*finder, equal, gas.view()).counts.plan_violation);

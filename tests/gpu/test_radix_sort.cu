@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ladder of radix sorts on the device, rung by rung.
+// The ladder of radix sorts on the device, variant by variant.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,8 +21,8 @@ using cuda::DeviceArray;
 
 constexpr std::uint32_t kPoison = 0xababababu;
 constexpr std::uint64_t kGuardWords = 64;
-constexpr Rung kRungs[] = {Rung::one_bit_split, Rung::digit_passes, Rung::reduce_then_scan,
-                           Rung::onesweep};
+constexpr Variant kVariants[] = {Variant::one_bit_split, Variant::digit_passes,
+                                 Variant::reduce_then_scan, Variant::onesweep};
 constexpr int kBits[] = {0, 1, 5, 8, 9, 11, 12, 17, 20, 24, 30, 32};
 
 enum class Keys : std::uint8_t { random, sorted, reversed, constant, few_distinct, greatest };
@@ -66,7 +66,8 @@ __global__ void fill_kernel(std::uint32_t* keys, std::uint32_t* values, Keys kin
 /// Two sides whose memory is a little too long, so that what is written beyond the end shows.
 class Arena {
  public:
-  Arena(Rung rung, std::uint64_t capacity, int bits) : sort_(rung, capacity, bits), bits_(bits) {
+  Arena(Variant variant, std::uint64_t capacity, int bits)
+      : sort_(variant, capacity, bits), bits_(bits) {
     side_words_ = words_of_side(capacity);
     for (int side : {0, 1}) {
       memory_[side].allocate(side_words_ + kGuardWords);
@@ -151,7 +152,7 @@ class Arena {
   cudaStream_t stream_ = nullptr;
 };
 
-class RadixSortOnDevice : public testing::TestWithParam<Rung> {
+class RadixSortOnDevice : public testing::TestWithParam<Variant> {
  protected:
   void SetUp() override {
     int devices = 0;
@@ -160,7 +161,7 @@ class RadixSortOnDevice : public testing::TestWithParam<Rung> {
       GTEST_SKIP() << "no CUDA device: " << cudaGetErrorString(result);
     }
   }
-  [[nodiscard]] bool is_fast() const { return GetParam() >= Rung::reduce_then_scan; }
+  [[nodiscard]] bool is_fast() const { return GetParam() >= Variant::reduce_then_scan; }
   static std::uint64_t free_bytes() {
     std::size_t free = 0;
     std::size_t total = 0;
@@ -169,7 +170,7 @@ class RadixSortOnDevice : public testing::TestWithParam<Rung> {
   }
 };
 
-/// Around warps, and around the tiles of all rungs.
+/// Around warps, and around the tiles of all variants.
 std::vector<std::uint32_t> awkward_sizes() {
   std::vector<std::uint32_t> sizes = {0, 1, 2, 31, 32, 33};
   for (const std::uint32_t tile :
@@ -266,7 +267,7 @@ TEST_P(RadixSortOnDevice, TwoStreamsSortAtOnce) {
 }
 
 TEST_P(RadixSortOnDevice, SortsSixtyMillionPairs) {
-  if (!is_fast()) GTEST_SKIP() << "one of the slow rungs";
+  if (!is_fast()) GTEST_SKIP() << "one of the slow variants";
   constexpr std::uint32_t n = 1u << 26;
   for (const int bits : {8, 17, 20, 30, 32}) {
     Arena arena(GetParam(), n, bits);
@@ -278,7 +279,7 @@ TEST_P(RadixSortOnDevice, SortsSixtyMillionPairs) {
 }
 
 TEST_P(RadixSortOnDevice, SortsAsManyAsItPromises) {
-  if (!is_fast()) GTEST_SKIP() << "one of the slow rungs";
+  if (!is_fast()) GTEST_SKIP() << "one of the slow variants";
   constexpr std::uint32_t n = (1u << 31) - 1;
   if (free_bytes() < std::uint64_t{50} << 30) GTEST_SKIP() << "less than 50 GiB are free";
   Arena arena(GetParam(), n, 20);
@@ -302,13 +303,14 @@ TEST_P(RadixSortOnDevice, KnowsBeforehandWhereTheResultIs) {
   EXPECT_EQ(RadixSort(GetParam(), 10, 32).result_side(), 0);
 }
 
-std::string name_of_rung(const testing::TestParamInfo<Rung>& rung) {
+std::string name_of_variant(const testing::TestParamInfo<Variant>& variant) {
   constexpr const char* kNames[] = {"one_bit_split", "digit_passes", "reduce_then_scan",
                                     "onesweep"};
-  return kNames[static_cast<int>(rung.param)];
+  return kNames[static_cast<int>(variant.param)];
 }
 
-INSTANTIATE_TEST_SUITE_P(Rungs, RadixSortOnDevice, testing::ValuesIn(kRungs), name_of_rung);
+INSTANTIATE_TEST_SUITE_P(Variants, RadixSortOnDevice, testing::ValuesIn(kVariants),
+                         name_of_variant);
 
 }  // namespace
 }  // namespace octocell::cuda_custom

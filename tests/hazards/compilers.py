@@ -167,7 +167,7 @@ def main() -> int:
     )
     if arguments.output:
         result = {
-            "schema": 1,
+            "schema": 2,
             "kind": "compilers",
             "context": context(),
             "compilers": {name: version(name) for name in compilers()},

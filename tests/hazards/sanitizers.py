@@ -64,7 +64,7 @@ def main() -> int:
     logs = (Path(argument.rpartition("=")[2]) for argument in arguments.logs)
     check_outputs([arguments.output], logs)
     tools = [tool_of(argument) for argument in arguments.logs]
-    document = {"schema": 1, "kind": "sanitizers", "context": context(), "tools": tools}
+    document = {"schema": 2, "kind": "sanitizers", "context": context(), "tools": tools}
     write_json(arguments.output, document)
     for tool in tools:
         print(f"{tool['name']}: {tool['tests']} tests, {tool['reports']} reports")

@@ -245,7 +245,7 @@ class Document:
 
     def write(self, path: Path) -> None:
         document = {
-            "schema": 1,
+            "schema": 2,
             "kind": "mutants",
             "context": self.context,
             "killed": self.with_status("killed"),

@@ -15,7 +15,7 @@ from runner import Check, Runner, why_failed
 TABLE = ROOT / "tests/mutation/fault_table.hpp"
 USE = """
 #include "core/faults.hpp"
-int answer(int r) { return OCTOCELL_FAULT(band_touching_apart, r < 3, r <= 3); }
+int answer(int r) { return OCTOCELL_FAULT(filter_touching_apart, r < 3, r <= 3); }
 """
 
 

@@ -25,8 +25,8 @@ inline bool overlap(const Sphere& a, const Sphere& b) {
   const mpq_class dx = gap_along(a.x, b.x);
   const mpq_class dy = gap_along(a.y, b.y);
   const mpq_class dz = gap_along(a.z, b.z);
-  const mpq_class reach = exactly(a.r) + exactly(b.r);
-  return dx * dx + dy * dy + dz * dz <= reach * reach;
+  const mpq_class radius_sum = exactly(a.r) + exactly(b.r);
+  return dx * dx + dy * dy + dz * dz <= radius_sum * radius_sum;
 }
 
 }  // namespace octocell::properties

@@ -24,36 +24,36 @@ long double true_ratio(const Two& two) {
     const long double d = static_cast<long double>(p) - q;
     return d * d;
   };
-  const long double reach = static_cast<long double>(two.a.r) + two.b.r;
+  const long double radius_sum = static_cast<long double>(two.a.r) + two.b.r;
   return (square(two.a.x, two.b.x) + square(two.a.y, two.b.y) + square(two.a.z, two.b.z)) /
-         (reach * reach);
+         (radius_sum * radius_sum);
 }
 
-template <Band band>
-float grown_reach2(const Two& two) {
-  const float reach = band_radius<band>(two.a.r) + band_radius<band>(two.b.r);
-  return reach * reach;
+template <Filter filter>
+float grown_radius_sum2(const Two& two) {
+  const float radius_sum = filter_radius<filter>(two.a.r) + filter_radius<filter>(two.b.r);
+  return radius_sum * radius_sum;
 }
 
 /// Above 1, a pair that overlaps could be called apart: D^ / H must not exceed D / R.
-template <Band band>
+template <Filter filter>
 long double danger_of_a_loss(const Two& two) {
-  return band_distance2(two.a, two.b) / (grown_reach2<band>(two) * true_ratio(two));
+  return filter_distance2(two.a, two.b) / (grown_radius_sum2<filter>(two) * true_ratio(two));
 }
 
 /// Above 1, a pair that is apart could be called sure: D^ / fl(L H) must not be below D / R.
-template <Band band>
+template <Filter filter>
 long double danger_of_a_false_pair(const Two& two) {
-  return band_sure_below<band>(grown_reach2<band>(two)) * true_ratio(two) /
-         band_distance2(two.a, two.b);
+  return filter_sure_below<filter>(grown_radius_sum2<filter>(two)) * true_ratio(two) /
+         filter_distance2(two.a, two.b);
 }
 
 /// Above 1, float64 could be certain and wrong: its error, in units of the bound it grants itself.
 long double danger_of_float64(const Two& two) {
   const auto& [a, b] = two;
   const exact::Float64Test<double> test(a.x, a.y, a.z, a.r, b.x, b.y, b.z, b.r);
-  const long double ratio = static_cast<long double>(test.distance2) / test.reach2;
-  return std::abs(ratio / true_ratio(two) - 1.0L) / (test.bound / test.reach2);
+  const long double ratio = static_cast<long double>(test.distance2) / test.radius_sum2;
+  return std::abs(ratio / true_ratio(two) - 1.0L) / (test.bound / test.radius_sum2);
 }
 
 using Danger = long double (*)(const Two&);
@@ -108,27 +108,27 @@ Two worst(Danger danger, std::uint32_t scales = 1) {
 
 constexpr long double kU = 0x1p-24L;
 
-TEST(Margins, KeepEveryPairInTheFastBand) {
-  const long double danger = danger_of_a_loss<Band::fast>(worst(danger_of_a_loss<Band::fast>));
+TEST(Margins, KeepEveryPairInTheFastFilter) {
+  const long double danger = danger_of_a_loss<Filter::fast>(worst(danger_of_a_loss<Filter::fast>));
   EXPECT_LT(danger, 1.0L - 1.9L * kU) << "proved: a margin of almost 2u";
   EXPECT_GT(danger, 1.0L - 4.0L * kU) << "the climbs no longer come near the worst case";
 }
 
-TEST(Margins, KeepEveryPairInTheSafeBand) {
-  const long double danger = danger_of_a_loss<Band::safe>(worst(danger_of_a_loss<Band::safe>));
+TEST(Margins, KeepEveryPairInTheSafeFilter) {
+  const long double danger = danger_of_a_loss<Filter::safe>(worst(danger_of_a_loss<Filter::safe>));
   EXPECT_LT(danger, 1.0L - 1.9L * kU);
   EXPECT_GT(danger, 1.0L - 4.0L * kU);
 }
 
-TEST(Margins, MakeUpNoPairInTheFastBand) {
-  const Danger danger = danger_of_a_false_pair<Band::fast>;
+TEST(Margins, MakeUpNoPairInTheFastFilter) {
+  const Danger danger = danger_of_a_false_pair<Filter::fast>;
   const long double worst_danger = danger(worst(danger));
   EXPECT_LT(worst_danger, 1.0L - 0.9L * kU) << "proved: a margin of u";
   EXPECT_GT(worst_danger, 1.0L - 4.0L * kU);
 }
 
-TEST(Margins, MakeUpNoPairInTheSafeBand) {
-  const Danger danger = danger_of_a_false_pair<Band::safe>;
+TEST(Margins, MakeUpNoPairInTheSafeFilter) {
+  const Danger danger = danger_of_a_false_pair<Filter::safe>;
   const long double worst_danger = danger(worst(danger));
   EXPECT_LT(worst_danger, 1.0L - 0.9L * kU);
   EXPECT_GT(worst_danger, 1.0L - 4.0L * kU);

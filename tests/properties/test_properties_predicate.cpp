@@ -15,39 +15,39 @@ namespace {
 using properties::any_pair;
 using properties::Two;
 
-template <Band band>
+template <Filter filter>
 void expect_no_loss_and_sure_verdicts(const Two& two) {
   const bool truth = properties::overlap(two.a, two.b);
-  const Verdict verdict = band_verdict<band>(two.a, two.b);
+  const Verdict verdict = filter_verdict<filter>(two.a, two.b);
   RC_ASSERT(verdict != Verdict::apart || !truth);
   RC_ASSERT(verdict != Verdict::overlap || truth);
-  RC_ASSERT(verdict == band_verdict<band>(two.b, two.a));
-  RC_CLASSIFY(verdict == Verdict::doubt, "doubt");
+  RC_ASSERT(verdict == filter_verdict<filter>(two.b, two.a));
+  RC_CLASSIFY(verdict == Verdict::uncertain, "uncertain");
   RC_CLASSIFY(truth, "overlap");
 }
 
-RC_GTEST_PROP(PredicateProperties, SafeBandLosesNoPairAndIsRightWhenSure, ()) {
-  expect_no_loss_and_sure_verdicts<Band::safe>(*any_pair());
+RC_GTEST_PROP(PredicateProperties, SafeFilterLosesNoPairAndIsRightWhenSure, ()) {
+  expect_no_loss_and_sure_verdicts<Filter::safe>(*any_pair());
 }
 
-RC_GTEST_PROP(PredicateProperties, FastBandLosesNoPairAndIsRightWhenSure, ()) {
+RC_GTEST_PROP(PredicateProperties, FastFilterLosesNoPairAndIsRightWhenSure, ()) {
   const Two two = *any_pair();
   if (!in_fast_range(two.a.r) || !in_fast_range(two.b.r)) RC_DISCARD("radii out of range");
-  expect_no_loss_and_sure_verdicts<Band::fast>(two);
+  expect_no_loss_and_sure_verdicts<Filter::fast>(two);
 }
 
-RC_GTEST_PROP(PredicateProperties, FastBandDecidesNoPointsThatAreOne, ()) {
+RC_GTEST_PROP(PredicateProperties, FastFilterDecidesNoPointsThatAreOne, ()) {
   const Sphere point = {*properties::any_float(), *properties::any_float(),
                         *properties::any_float(), 0.0F};
-  RC_ASSERT(band_may_overlap(point, point));
-  RC_ASSERT(!band_is_sure<Band::fast>(point, point));
+  RC_ASSERT(filter_may_overlap(point, point));
+  RC_ASSERT(!filter_is_sure<Filter::fast>(point, point));
 }
 
 RC_GTEST_PROP(PredicateProperties, Float64IsRightWhenCertain, ()) {
   const Two two = *any_pair();
   const Verdict verdict = exact::float64_test(two.a, two.b);
-  RC_CLASSIFY(verdict == Verdict::doubt, "doubt");
-  if (verdict == Verdict::doubt) return;
+  RC_CLASSIFY(verdict == Verdict::uncertain, "uncertain");
+  if (verdict == Verdict::uncertain) return;
   RC_ASSERT((verdict == Verdict::overlap) == properties::overlap(two.a, two.b));
 }
 

@@ -83,9 +83,9 @@ def row(
         "name": f"find_pairs/backend:{backend}{variant}/scene:{scene}/n:{n}/threads:1/run:{run}",
         "backend": backend, "kind": "backend" if ours else "baseline",
         "method": method, "rule": rule, "scene": scene, "n": n, "threads": 1, "run": run,
-        "exhibit": False, "status": "ok", "reason": None,
+        "negative_control": False, "status": "ok", "reason": None,
         "pairs": 2 * n, "checksum": f"0x{n:016x}", "missed": 0, "false": 0, "duplicates": 0,
-        "candidates": 9 * n if ours else None, "doubts": n // 5000 if ours else None,
+        "candidates": 9 * n if ours else None, "uncertain_pairs": n // 5000 if ours else None,
         "iterations": 4, "total_ms": times,
         "stage_ms": {stage: [share * t for t in times] for stage, share in shares.items()},
         "marked_total_ms": [1.01 * t for t in times],
@@ -103,7 +103,7 @@ def wrong(known: Json, missed: int, false: int = 0, duplicates: int = 0, **chang
 
 def skipped(known: Json, reason: str) -> Json:
     nothing = dict.fromkeys(
-        ("pairs", "checksum", "missed", "false", "duplicates", "candidates", "doubts",
+        ("pairs", "checksum", "missed", "false", "duplicates", "candidates", "uncertain_pairs",
          "plan_ms", "peak_bytes", "output_bytes")
     )  # fmt: skip
     empty = {"total_ms": [], "stage_ms": {}, "marked_total_ms": []}
@@ -111,7 +111,7 @@ def skipped(known: Json, reason: str) -> Json:
 
 
 def document(groups: list[Json], rows: list[Json], **changes: Any) -> Json:
-    return {"schema": 1, "context": context(**changes), "groups": groups, "rows": rows}
+    return {"schema": 2, "context": context(**changes), "groups": groups, "rows": rows}
 
 
 def times(factor: float, power: float, n: int, rounds: int = 3) -> list[float]:
@@ -144,7 +144,7 @@ def _ours(scene: str, n: int, cost: float) -> list[Json]:
                 known["stage_ms"] = {"pair_tests": ms}
                 known["fused"] = {"resolve": "pair_tests"}
             elif rule == "as_written":
-                known = wrong(known | {"exhibit": True}, missed=n // 3 + 1)
+                known = wrong(known | {"negative_control": True}, missed=n // 3 + 1)
             found.append(known)
     return found
 
@@ -161,7 +161,7 @@ def _baselines(scene: str, n: int, cost: float) -> list[Json]:
 
 
 def every_case() -> Json:
-    """Ok, wrong, exhibit, skipped, unavailable, interrupted, fused, one size, no spheres."""
+    """Ok, wrong, a negative control, skipped, unavailable, interrupted, fused, one size, none."""
     document = whole_run(
         {"gas": [1000, 10_000, 100_000], "poly": [1000, 10_000], "giant": [5000]}, finished=False
     )

@@ -86,12 +86,16 @@ def row(
     losses: tuple[int, int] = (0, 0),
     **changes: Any,
 ) -> Json:
-    """Losses are absolute; a row with some is wrong, an exhibit unless it is said to be exact."""
+    """Losses are absolute; a row with some is wrong, and a negative control unless it claims to
+    be exact."""
     times = [ns * n / 1e6 * (1 + 0.02 * k) for k in range(5)]
     known = synthetic.row(backend, method, rule, scene, n, "warm", times)
     truth = group(scene, n)["truth"]
     known |= {"predicate": predicate, "pairs": truth["pairs"], "checksum": truth["checksum"]}
-    known |= {"exhibit": predicate not in (None, "exact", "q16_exact"), "distinct_checksums": 1}
+    known |= {
+        "negative_control": predicate not in (None, "exact", "q16_exact"),
+        "distinct_checksums": 1,
+    }
     known |= {"worst_missed_depth": None, "worst_false_gap": None, "skips": None}
     known["name"] = known["name"].replace("/scene:", f"/predicate:{predicate}/scene:")
     if backend in ("impl_cuda_custom", "impl_thrust_cuda"):
@@ -139,7 +143,7 @@ def library_rows(n: int = SPHERES) -> list[Json]:
             missed, false = (rate * pairs // 1_000_000 for rate in errors.get(scene, (0, 0)))
             found.append(
                 row(backend, None, None, None, scene, n, ns * dearer, (missed, false))
-                | {"known_faults": "pairs that touch are lost" if errors else None}
+                | {"known_issues": "pairs that touch are lost" if errors else None}
             )
     return found
 

@@ -57,14 +57,14 @@ def device_row(
     need: int = 72,
     **changes: Any,
 ) -> Json:
-    stages = stage_times(n, cost, cached=run != "rotated")
+    stages = stage_times(n, cost, cached=run != "cold_cache")
     bare = sum(stages.values())
     whole = {
-        "cold": 3.0 + 5 * bare, "warm": bare, "rotated": bare, "graph": 0.9 * bare,
+        "cold": 3.0 + 5 * bare, "warm": bare, "cold_cache": bare, "graph": 0.9 * bare,
         "transfers": bare + 16 * n / 25e6,
     }[run]  # fmt: skip
     rounds = [1 + 0.02 * k for k in range(3)]
-    marked = run in ("cold", "warm", "rotated")
+    marked = run in ("cold", "warm", "cold_cache")
     known = {
         "stage_ms": {s: [t * r for r in rounds] for s, t in stages.items()} if marked else {},
         "stage_bytes": {s: int(each * n) for s, (each, _) in STAGES.items()} if marked else {},
@@ -79,10 +79,10 @@ def _device(scene: str, n: int, scale: float) -> list[Json]:
     found = []
     for backend, rule, cost, need in OURS:
         custom = backend == "impl_cuda_custom"
-        for run in ("cold", "warm", *(("rotated", "graph", "transfers") if custom else ())):
+        for run in ("cold", "warm", *(("cold_cache", "graph", "transfers") if custom else ())):
             row = device_row(backend, rule, scene, n, run, cost * scale, need)
             if rule == "as_written":
-                row = synthetic.wrong(row | {"exhibit": True}, missed=n // 3 + 1)
+                row = synthetic.wrong(row | {"negative_control": True}, missed=n // 3 + 1)
             found.append(row)
     return found
 

@@ -135,10 +135,10 @@ def test_regret_is_judged_by_its_interval(ours, theirs, verdict):
     assert found.choices == 2
 
 
-def test_the_best_choice_is_exact_and_no_exhibit():
+def test_the_best_choice_is_exact_and_no_negative_control():
     rows = group_rows(half_shell=0.5, home_phantom=0.4)
     rows[-1] = synthetic.wrong(rows[-1], missed=1)
-    rows[-2] |= {"exhibit": True}
+    rows[-2] |= {"negative_control": True}
     assert ablation.regret(the_study(*rows)).best.skips is not None
 
 

@@ -80,13 +80,16 @@ def test_moving_scenes_are_compared_by_their_steady_frames():
 
 def test_rows_of_one_file_and_changed_verdicts_are_listed():
     old = result_of(
-        row(), row(run="cold"), row("fcl_a", None, None), row(rule="as_written", exhibit=True)
+        row(),
+        row(run="cold"),
+        row("fcl_a", None, None),
+        row(rule="as_written", negative_control=True),
     )
     new = result_of(
         wrong(row(), missed=3),
         skipped(row("fcl_a", None, None), "crashed"),
         row("bullet_a", None, None),
-        row(rule="as_written", exhibit=True),
+        row(rule="as_written", negative_control=True),
     )
     text = "\n".join(report(old, new, 0.05)[0])
     assert "lowest_cell/scene:gas/n:1000/threads:1/run:warm: exact -> wrong −3 +0" in text
@@ -150,9 +153,9 @@ def test_slower_rows_fail_only_if_asked(files):
 
 def test_another_schema_is_refused(files, tmp_path, capsys):
     path = tmp_path / "other.json"
-    path.write_text('{"schema": 2}')
+    path.write_text('{"schema": 3}')
     assert main(["compare", files[0], str(path)]) == 2
-    assert "schema 2 is not the schema 1" in capsys.readouterr().err
+    assert "schema 3 is not the schema 2" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("share", ["-1", "much", "nan", "inf"])

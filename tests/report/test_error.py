@@ -75,7 +75,7 @@ def test_bad_fields_are_named(where, changes, message):
 def test_predicates_are_implementations_of_their_own():
     result = parse(document(row(), row(predicate="f32")))
     assert list(words.labels(result).values()) == ["impl_cpu half_shell", "impl_cpu half_shell f32"]
-    assert words.titles(result)[result.rows[1].impl] == "impl_cpu half_shell f32 (exhibit)"
+    assert words.titles(result)[result.rows[1].impl] == "impl_cpu half_shell f32 (negative control)"
 
 
 def test_rates_are_per_million_true_pairs(both):
@@ -100,7 +100,7 @@ def test_of_a_backend_the_configuration_with_most_predicates_stands():
         row(ns=1.9, predicate="f32"),
         row(method="home_phantom", rule="lowest_cell", ns=3.0),
         row(method="home_phantom", rule="lowest_cell", ns=0.5, predicate="f32"),
-        row(method="home_phantom", rule="as_written", ns=0.1, losses=(9, 0), exhibit=True),
+        row(method="home_phantom", rule="as_written", ns=0.1, losses=(9, 0), negative_control=True),
     ]
     assert [p.row.impl.method for p in study_of(document(*rows)).points] == ["half_shell"] * 2
 
@@ -118,7 +118,7 @@ def test_scenes_without_a_class_and_rows_without_time_are_left_out():
     assert [p.row.place.scene for p in study_of(known).points] == ["gas", "gas"]
 
 
-def test_fronts_are_the_fastest_that_promise_to_be_exact(both):
+def test_fronts_are_the_fastest_that_guarantee_to_be_exact(both):
     fronts = both.fronts("structured")
     assert {side: s.series.label for side, s in fronts.items()} == {
         True: "impl_cuda_custom q16_exact",
@@ -157,12 +157,12 @@ def test_another_configuration_gives_no_price():
     assert study_of(document(*rows)).costs == []
 
 
-def test_a_broken_promise_stands_out():
+def test_a_broken_guarantee_stands_out():
     rows = [row(losses=(0, 2)), row(predicate="f32"), row("fcl_a", None, None, None, losses=(7, 0))]
     study = study_of(document(*rows))
     assert error_map.text_of(point(study, "impl_cpu exact", "gas")) == "+5"
     broken, libraries = findings_error.sentences(study, "error_map")
-    assert broken == "A promise is broken: impl_cpu exact gas 1M (−0 +2)."
+    assert broken == "A claim is broken: impl_cpu exact gas 1M (−0 +2)."
     assert "fcl_a gas 1M (−7 +0)" in libraries
     assert study.fronts("random") == {}
 
@@ -219,10 +219,13 @@ def test_rates_are_short(value, text):
     assert words.rate(value) == text
 
 
-def test_exhibits_do_not_fail_the_check(save, capsys):
+def test_negative_controls_do_not_fail_the_check(save, capsys):
     known = document(row(), row(predicate="f32", losses=(2, 0)))
     assert main(["check", str(save(known))]) == 0
-    assert capsys.readouterr().out == "The only default row is exact. 0 skipped, 1 exhibits.\n"
+    assert (
+        capsys.readouterr().out
+        == "The only default row is exact. 0 skipped, 1 negative controls.\n"
+    )
 
 
 def test_series_are_ordered_by_predicate_then_library(both):

@@ -15,7 +15,7 @@ from octocell_report import error_files, page, plots
 from octocell_report.cli import main
 from octocell_report.error import Study
 from octocell_report.load import parse
-from octocell_report.plots import mirror
+from octocell_report.plots import butterfly
 from octocell_report.plots.labels import Box
 from octocell_report.predicates import PREDICATES
 
@@ -71,7 +71,7 @@ def test_bold_marks_stand_at_the_median_time(both, drawn):
         for name in ("error_pareto", "error_depth")
         for ax in drawn[name].axes
         for mark in ax.lines
-        if mark.get_linestyle() == "None" and mark.get_markersize() >= mirror._BOLD
+        if mark.get_linestyle() == "None" and mark.get_markersize() >= butterfly._BOLD
     ]
     assert len(found) > 40
     assert set(found) <= medians
@@ -129,12 +129,12 @@ def test_files_of_the_command(saved, tmp_path, capsys):
     files = [str(saved / f"{name}.json") for name in ("host", "device")]
     assert main(["error", *files, "-o", str(out)]) == 0
     assert {path.name for path in out.iterdir()} == error_files.owned_names()
-    assert "All 54 rows that promise to be exact are" in capsys.readouterr().out
+    assert "All 54 rows that claim to be exact are" in capsys.readouterr().out
     table = pd.read_csv(out / "error.csv")
     f32 = table.query("backend == 'impl_cpu' and predicate == 'f32' and scene == 'fcc'")
     assert f32.false_per_million.item() == pytest.approx(1014, abs=0.5)
     assert f32.bound_per_million.item() == pytest.approx(3e6 / 5_850_400)
-    assert not f32.promised_exact.item() and math.isnan(f32.worst_missed_depth.item())
+    assert not f32.claims_exact.item() and math.isnan(f32.worst_missed_depth.item())
     costs = pd.read_csv(out / "error_costs.csv")
     assert len(costs) == 4 * 9 and costs.rounds.tolist() == [5] * 36
     assert pd.read_csv(out / "error_rounding.csv").lost.tolist() == [410_000, 1204]

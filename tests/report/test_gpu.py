@@ -76,7 +76,7 @@ def test_without_a_measured_copy_rates_stand_alone():
 
 def test_rows_that_are_not_exact_have_no_bandwidth():
     bad = synthetic.wrong(device_row(), missed=1)
-    assert bandwidth.rows(of_rows(bad, device_row(rule="chapter32", exhibit=True))) == []
+    assert bandwidth.rows(of_rows(bad, device_row(rule="chapter32", negative_control=True))) == []
 
 
 def test_runs_are_held_against_the_warm_one_round_by_round():
@@ -120,7 +120,7 @@ def test_a_build_with_a_device_and_one_without(save, tmp_path):
     names = {path.name for path in out.iterdir()}
     assert names >= DEVICE_FILES and names <= page.owned_names()
     table = pd.read_csv(out / "bandwidth.csv")
-    assert set(table.run) == {"warm", "rotated"} and table.share_of_copy.notna().all()
+    assert set(table.run) == {"warm", "cold_cache"} and table.share_of_copy.notna().all()
     html = (out / "index.html").read_text()
     for text in ("On the GPU", "在 GPU 上", "Example GPU 100, copies 2\u202f900 GB/s", "Bandwidth"):
         assert text in html

@@ -17,7 +17,7 @@ from octocell_report import images
 from octocell_report.cli import main
 
 import synthetic
-import synthetic_promise
+import synthetic_guarantee
 from synthetic import Json
 from test_sort import gpu_cases
 
@@ -165,7 +165,7 @@ def test_nothing_measured_is_no_traceback(tmp_path, save, outcome):
 @pytest.mark.parametrize("name", [b"a\nb", b"\x1b[2J", b"\xff\xfe", b"a" * 300])
 def test_names_of_files_are_shown_on_one_line(tmp_path, outcome, name):
     path = os.path.join(tmp_path, os.fsdecode(name))
-    for command in (["check", path], ["build", path], ["readme", path, path], ["promise", path]):
+    for command in (["check", path], ["build", path], ["readme", path, path], ["guarantee", path]):
         assert outcome(main, *command)[0] == 2
     assert outcome(importer, f"{path}.xyz")[0] == 2
     assert outcome(importer, path, "--format", "xyz", "-o", f"{path}.npy")[0] == 2
@@ -261,15 +261,15 @@ def test_strange_results_end_well(tmp_path, outcome, undrawn):
 def test_strange_evidence_ends_well(tmp_path, outcome):
     luck, md = random.Random(18), tmp_path / "P.md"
     blocks = [
-        f"promise{x}" for x in ("", "_near_ties", "_stress", "_compilers", "_mutants", "_fuzz")
+        f"guarantee{x}" for x in ("", "_near_tangent", "_stress", "_compilers", "_mutants", "_fuzz")
     ]
     md.write_text("".join(MARKED.replace("correctness", block) for block in blocks))
     codes = []
     for _ in range(200):
-        folder = synthetic_promise.save_all(tmp_path)
+        folder = synthetic_guarantee.save_all(tmp_path)
         path = luck.choice(sorted(folder.rglob("*.json")))
         save_mutated(path, json.loads(path.read_text()), luck)
-        codes.append(outcome(main, "promise", folder, md)[0])
+        codes.append(outcome(main, "guarantee", folder, md)[0])
     assert 20 < codes.count(2) < 180
 
 

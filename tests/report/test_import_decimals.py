@@ -39,7 +39,7 @@ def test_going_by_way_of_float64_would_be_wrong():
     assert np.float32(float(MIDWAY + "0000000000001")) == 1
 
 
-def test_random_words_near_ties_are_nearest():
+def test_random_words_near_tangent_are_nearest():
     dice = random.Random(3)
     for _ in range(500):
         low = np.float32(dice.uniform(-100, 100))

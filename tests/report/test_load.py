@@ -41,7 +41,7 @@ def test_backends_come_before_baselines_whatever_the_order_of_rows():
 
 @pytest.mark.parametrize(
     ("text", "message"),
-    [("{", "not JSON"), ("[]", "no field 'schema'"), ('{"schema": 2}', "schema 2 is not")],
+    [("{", "not JSON"), ("[]", "no field 'schema'"), ('{"schema": 3}', "schema 3 is not")],
 )
 def test_what_is_not_a_result_is_named(tmp_path, text, message):
     path = tmp_path / "bad.json"
@@ -80,7 +80,7 @@ def test_a_context_that_lacks_a_field_is_named(field):
     [
         ({"n": "many"}, "field 'n' is \"many\", not a whole number"),
         ({"threads": True}, "field 'threads' is true"),
-        ({"run": "hot"}, "one of cold, warm, rotated, graph, transfers, first_update, update"),
+        ({"run": "hot"}, "one of cold, warm, cold_cache, graph, transfers, first_update, update"),
         ({"total_ms": []}, "has no round"),
         ({"total_ms": [1.0, float("nan")]}, "not a list of times"),
         ({"total_ms": [-1.0]}, "not a list of times"),
@@ -178,9 +178,9 @@ def test_a_bad_plan_or_variant_is_named(changes, message):
     assert str(error.value).startswith("row 0 (find_pairs/")
 
 
-def test_known_faults_are_optional_text():
-    assert parse(one_row()).rows[0].known_faults == ""
-    assert parse(one_row(known_faults=None)).rows[0].known_faults == ""
-    assert parse(one_row(known_faults="ties")).rows[0].known_faults == "ties"
-    with pytest.raises(ReportError, match="'known_faults' is 3"):
-        parse(one_row(known_faults=3))
+def test_known_issues_are_optional_text():
+    assert parse(one_row()).rows[0].known_issues == ""
+    assert parse(one_row(known_issues=None)).rows[0].known_issues == ""
+    assert parse(one_row(known_issues="ties")).rows[0].known_issues == "ties"
+    with pytest.raises(ReportError, match="'known_issues' is 3"):
+        parse(one_row(known_issues=3))

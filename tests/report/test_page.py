@@ -180,7 +180,7 @@ def test_an_output_that_is_a_file_is_an_error(every_case, save, tmp_path, capsys
     assert "is not a folder" in capsys.readouterr().err
 
 
-def test_check_lists_wrong_rows_but_no_exhibits(every_case, save, capsys):
+def test_check_lists_wrong_rows_but_no_negative_controls(every_case, save, capsys):
     assert main(["check", str(save(every_case))]) == 1
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == 5  # cold, warm, first and later update of one baseline, and the summary
@@ -188,14 +188,16 @@ def test_check_lists_wrong_rows_but_no_exhibits(every_case, save, capsys):
     assert "interrupted" in lines[4] and "1A2C" in lines[4]
 
 
-def test_check_passes_with_one_line_when_only_exhibits_are_wrong(save, capsys):
-    rows = [row(), row(run="cold"), wrong(row(rule="as_written", exhibit=True), missed=9)]
+def test_check_passes_with_one_line_when_only_negative_controls_are_wrong(save, capsys):
+    rows = [row(), row(run="cold"), wrong(row(rule="as_written", negative_control=True), missed=9)]
     assert main(["check", str(save(synthetic.document([group("gas", 1000)], rows)))]) == 0
-    assert capsys.readouterr().out == "All 2 default rows are exact. 0 skipped, 1 exhibits.\n"
+    assert (
+        capsys.readouterr().out == "All 2 default rows are exact. 0 skipped, 1 negative controls.\n"
+    )
 
 
 def test_a_known_fault_excuses_missed_pairs_and_nothing_else(save, capsys):
-    known = row("fcl_sap", None, None, known_faults="ties are lost")
+    known = row("fcl_sap", None, None, known_issues="ties are lost")
     for losses, code in (({"missed": 3}, 0), ({"missed": 3, "false": 1}, 1)):
         document = synthetic.document([group("gas", 1000)], [row(), wrong(known, **losses)])
         assert main(["check", str(save(document))]) == code
@@ -227,12 +229,12 @@ def texts(figure):
     return [t.get_text() for t in figure.findobj(plt.Text)]
 
 
-def test_time_has_a_facet_per_scene_of_two_sizes_and_no_line_for_exhibits(every_case):
+def test_time_has_a_facet_per_scene_of_two_sizes_and_no_line_for_negative_controls(every_case):
     _, axes = axes_of(every_case, "time_warm")
     assert [ax.get_title(loc="left") for ax in axes] == ["gas", "poly"]
     legend = [text.get_text() for text in axes[0].get_legend().get_texts()]
     assert "impl_cpu lowest_cell   n^1.04" in legend
-    assert "impl_cpu as_written (exhibit)   −missed +false" in legend
+    assert "impl_cpu as_written (negative control)   −missed +false" in legend
     assert not any("as_written" in entry and "n^" in entry for entry in legend)
     assert "−334 +0" in [text.get_text() for text in axes[0].texts]
 

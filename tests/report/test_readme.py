@@ -25,7 +25,7 @@ def document():
     rows = [
         row(total_ms=[1.0, 1.0, 1.0]),
         row(run="cold", total_ms=[2.0, 2.0, 2.0]),
-        wrong(row(rule="as_written", exhibit=True), missed=334),
+        wrong(row(rule="as_written", negative_control=True), missed=334),
         skipped(row(method="brute_force", rule=None), "9 candidates, over the limit of 3"),
         row("fcl_a", None, None, total_ms=[4.0, 5.0, 6.0]),
         row("fcl_a", None, None, run="cold", total_ms=[9.0, 9.0, 9.0]),
@@ -55,7 +55,10 @@ def test_speed_leads_with_ratios_cold_and_warm(document):
 
 def test_speed_gives_no_time_to_what_is_not_exact(document):
     block = readme.speed(parse(document))
-    assert cells(block, "impl_cpu as_written (exhibit)") == ["exhibit −334 +0", *"––––"]
+    assert cells(block, "impl_cpu as_written (negative control)") == [
+        "negative control −334 +0",
+        *"––––",
+    ]
     assert cells(block, "impl_cpu brute_force") == ["skipped: over limit", *"––––"]
 
 
@@ -63,7 +66,10 @@ def test_correctness_has_a_cell_per_scene(document):
     block = readme.correctness(parse(document))
     assert cells(block, "implementation") == ["gas", "1A2C"]
     assert cells(block, "impl_cpu lowest_cell") == ["exact", "not there"]
-    assert cells(block, "impl_cpu as_written (exhibit)") == ["**−334 +0** at 1k", "not there"]
+    assert cells(block, "impl_cpu as_written (negative control)") == [
+        "**−334 +0** at 1k",
+        "not there",
+    ]
     assert cells(block, "impl_cpu brute_force") == ["skipped", "not there"]
 
 

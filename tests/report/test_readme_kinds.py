@@ -83,20 +83,24 @@ def test_scenes_cost_by_sphere_and_true_pair_beside_the_first():
 
 
 def test_frames_are_held_against_searches_and_against_silent_flags():
-    groups = [group("gas_still", 1000), group("gas_still_untold", 1000), group("alone", 1000)]
+    groups = [
+        group("gas_still", 1000),
+        group("gas_still_without_flags", 1000),
+        group("alone", 1000),
+    ]
     times = [[9.0, 1.0, 2.0, 3.0], [9.0, 2.0, 2.0, 2.0], [9.0, 2.0, 2.0, 9.0]]
     slow = [[4 * ms for ms in frames] for frames in times]
     rows = [
         moving("gas_still", times),
         moving("gas_still", slow, skips="rebuilt", name="anew"),
-        moving("gas_still_untold", [[2 * ms for ms in frames] for frames in times]),
-        moving("gas_still_untold", slow, skips="rebuilt", name="anew, untold"),
+        moving("gas_still_without_flags", [[2 * ms for ms in frames] for frames in times]),
+        moving("gas_still_without_flags", slow, skips="rebuilt", name="anew, without flags"),
         moving("alone", times),  # nothing to hold it against
     ]
     block = readme_kinds.frames(parse(document(groups, rows)))
     assert cells(block)[2:] == [
         ["gas_still", "impl_cpu", "2.00", "0.25 (0.25 to 0.25)", "0.50 (0.50 to 0.50)"],
-        ["gas_still_untold", "impl_cpu", "4.00", "0.50 (0.50 to 0.50)", "–"],
+        ["gas_still_without_flags", "impl_cpu", "4.00", "0.50 (0.50 to 0.50)", "–"],
     ]
     assert "4 frames, the first 1 left out" in note(block)
     with pytest.raises(ReportError, match="the variant 'rebuilt'"):

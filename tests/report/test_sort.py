@@ -50,7 +50,7 @@ def gpu_cases() -> Json:
 
 
 def document(*rows: Json) -> Json:
-    return {"schema": 1, "kind": "sort", "context": synthetic.context(), "rows": list(rows)}
+    return {"schema": 2, "kind": "sort", "context": synthetic.context(), "rows": list(rows)}
 
 
 def every_case() -> Json:
@@ -143,7 +143,7 @@ def test_nothing_timed_is_a_table_alone(tmp_path: Path):
 
 BROKEN = {
     "a bench result": ({"kind": "bench"}, "not a result of bench-sort"),
-    "another schema": ({"schema": 2}, "schema 1 is read here"),
+    "another schema": ({"schema": 3}, "schema 2 is read here"),
     "no rows": ({"rows": None}, "'rows'"),
     "a row twice": ({"rows": [row(), row()]}, "2 rows are called sort/"),
     "ok without a time": ({"rows": [row(total_ms=[])]}, "says ok"),

@@ -37,7 +37,7 @@ def test_curves_hold_exact_rows_alone():
     result = result_of(
         row(),
         wrong(row(rule="chapter32"), missed=1),
-        row(rule="as_written", exhibit=True),
+        row(rule="as_written", negative_control=True),
         skipped(row("x", "brute_force", None), "over the limit of 1"),
         row(run="cold"),
     )
@@ -95,10 +95,10 @@ def test_cold_is_held_against_cold():
     assert [r.median for r in tables.ratios(result, "cold")] == [3.0]
 
 
-def test_wrong_rows_and_exhibits_get_no_ratio():
+def test_wrong_rows_and_negative_controls_get_no_ratio():
     result = result_of(
         wrong(row(), missed=1),
-        row(rule="as_written", exhibit=True),
+        row(rule="as_written", negative_control=True),
         row("fcl_a", None, None),
     )
     assert tables.ratios(result, "warm") == []
@@ -112,7 +112,7 @@ def test_matrix_cells_say_what_happened():
             wrong(row(run="cold"), missed=5, false=2, duplicates=1),
             row(n=2000),
             skipped(row("impl_cpu", "brute_force", None), "9 candidates, over the limit of 3"),
-            wrong(row(rule="as_written", exhibit=True), missed=123_456),
+            wrong(row(rule="as_written", negative_control=True), missed=123_456),
         ],
     )
     result = parse(document)
@@ -122,7 +122,7 @@ def test_matrix_cells_say_what_happened():
     assert cells[CPU, Place("gas", 2000)] == tables.Cell("exact", "exact")
     assert cells[brute, GAS] == tables.Cell("skipped", "over limit")
     assert cells[brute, Place("gas", 2000)] == tables.Cell("absent", "")
-    assert cells[written, GAS] == tables.Cell("exhibit", "−123k +0")
+    assert cells[written, GAS] == tables.Cell("negative_control", "−123k +0")
     assert cells[CPU, Place("1A2C", 0)] == tables.Cell("unavailable", "no scene")
 
 

@@ -27,7 +27,7 @@ inline Plan roomy_plan(const Scene& scene, const PlanOptions& options) {
   Plan plan = make_plan(measure(scene.view()), options);
   plan.capacity.ids = plan.capacity.ids * 2 + 4096;
   plan.capacity.cells = plan.capacity.ids;
-  plan.capacity.pairs = plan.capacity.doubts = 40 * scene.spheres.size() + 64;
+  plan.capacity.pairs = plan.capacity.uncertain_pairs = 40 * scene.spheres.size() + 64;
   return plan;
 }
 

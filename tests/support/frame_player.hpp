@@ -124,10 +124,10 @@ void play_with_every_choice(const NewPlayer& new_player, const FlagsFor& flags_f
         ASSERT_EQ(players[c].finder().digest(), digest_of(truth)) << what;
         ASSERT_EQ(players[c].finder().download(), truth) << what;
         ASSERT_EQ(counts.pairs, truth.size()) << what;
-        if (!counts.served_by) continue;
-        ASSERT_TRUE(choices[c].has(*counts.served_by)) << what;
-        ASSERT_TRUE(counts.used.has(*counts.served_by)) << what;
-        ++served[static_cast<std::size_t>(*counts.served_by)];
+        if (!counts.reused) continue;
+        ASSERT_TRUE(choices[c].has(*counts.reused)) << what;
+        ASSERT_TRUE(counts.used.has(*counts.reused)) << what;
+        ++served[static_cast<std::size_t>(*counts.reused)];
       }
     }
   }

@@ -70,7 +70,7 @@ class Octocell:
     def faulty(self) -> set[str]:
         """Baselines that may lose pairs, by a fault that `octocell list` names."""
         text = self.ok("list").stdout
-        return set(re.findall(r"^  (\w+) .*\n      known fault: ", text, re.MULTILINE))
+        return set(re.findall(r"^  (\w+) .*\n      known issue: ", text, re.MULTILINE))
 
     def implementations(self) -> list[tuple[str, ...]]:
         """The flags of `find` for each row of `check`, whether it can run here or not."""

@@ -97,16 +97,16 @@ class RandomPlayer {
     }
     const Skips left_out = counts.used.either(player_.plan().taken);
     EXPECT_EQ(left_out.either(options.allowed), options.allowed) << "more than is allowed";
-    if (!counts.served_by) return frames.was_searched(player_.plan());
-    EXPECT_TRUE(options.allowed.has(*counts.served_by));
-    ++served[static_cast<std::size_t>(*counts.served_by)];
+    if (!counts.reused) return frames.was_searched(player_.plan());
+    EXPECT_TRUE(options.allowed.has(*counts.reused));
+    ++served[static_cast<std::size_t>(*counts.reused)];
   }
 
   /// Buffers that hold just what was found: one pair more, and there are too few.
   void leave_no_room() {
     Plan plan = player_.plan();
     const std::uint64_t pairs = player_.finder().counts().pairs;
-    if (!plan.count_only) plan.capacity.pairs = plan.capacity.doubts = pairs;
+    if (!plan.count_only) plan.capacity.pairs = plan.capacity.uncertain_pairs = pairs;
     player_.upload_next(plan);
   }
 

@@ -28,7 +28,7 @@
 namespace octocell {
 namespace {
 
-/// Scenes that give even a library with known faults no occasion for them.
+/// Scenes that give even a library with known issues no occasion for them.
 bool is_harmless(const std::string& what) {
   return what.starts_with("gas:") || what.starts_with("dense:") || what.starts_with("poly:");
 }
@@ -53,7 +53,7 @@ void expect_exact(const Implementation& how, std::span<const Sphere> spheres,
   }
   const std::vector<Pair> pairs = finder->download();
   const reference::Comparison difference = reference::compare(pairs, truth);
-  const bool may_lose = how.has_known_faults() && !is_harmless(what);
+  const bool may_lose = how.has_known_issues() && !is_harmless(what);
   EXPECT_EQ(finder->digest(), digest_of(may_lose ? pairs : truth)) << what;
   EXPECT_TRUE(difference.missed == 0 || may_lose) << what << ": missed " << difference.missed;
   EXPECT_EQ(difference.false_pairs, 0U) << what;
@@ -61,17 +61,17 @@ void expect_exact(const Implementation& how, std::span<const Sphere> spheres,
   if (!how.is_baseline()) {
     EXPECT_EQ(left_out.either(options.allowed), options.allowed) << what << ": more than it may";
   }
-  if (!plan.taken.has(Skip::doubts)) return;
-  // On a lattice nothing is doubted: once more with the test that other scenes need.
-  expect_exact(how, spheres, truth, what + " without skip doubts",
-               Skips::all().without(Skip::doubts));
+  if (!plan.taken.has(Skip::uncertain_pairs)) return;
+  // On a lattice nothing is uncertain: once more with the test that other scenes need.
+  expect_exact(how, spheres, truth, what + " without skip uncertain pairs",
+               Skips::all().without(Skip::uncertain_pairs));
 }
 
 std::vector<Implementation> correct_implementations() {
   std::vector<Implementation> correct = implementations();
   std::ranges::copy(other_predicates(), std::back_inserter(correct));
   std::erase_if(correct, [](const Implementation& how) {
-    return how.exhibit() || how.backend->why_unavailable();
+    return how.negative_control() || how.backend->why_unavailable();
   });
   return correct;
 }

@@ -77,7 +77,7 @@ TEST(BaselineFaults, AreNotToBlameWhereNothingTouchesByRounding) {
   for (const char* scene : {"gas:n=10000", "dense:n=5000", "poly:n=5000"}) {
     const Spheres spheres = generate(scene).spheres;
     for (const BackendInfo& library : backends()) {
-      if (library.known_faults.empty()) continue;
+      if (library.known_issues.empty()) continue;
       EXPECT_TRUE(losses_of(library.create, spheres).exact()) << library.name << ", " << scene;
     }
   }
@@ -201,7 +201,7 @@ TEST_P(FaultyBaselines, StartAnewAndStopLikeTheOthers) {
 std::vector<const BackendInfo*> faulty_baselines() {
   std::vector<const BackendInfo*> faulty;
   for (const BackendInfo& library : backends()) {
-    if (!library.known_faults.empty()) faulty.push_back(&library);
+    if (!library.known_issues.empty()) faulty.push_back(&library);
   }
   return faulty;
 }

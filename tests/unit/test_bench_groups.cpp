@@ -28,18 +28,18 @@ bool same_spheres(const std::vector<Sphere>& a, const std::vector<Sphere>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Sphere)) == 0;
 }
 
-TEST(BenchGroups, UntoldFlagsKeepSpheresStillAllTheSame) {
+TEST(BenchGroups, WithoutFlagsKeepSpheresStillAllTheSame) {
   Group group = {
       .scene = "gas", .argument = "gas:n=200,static=0.9", .motion = Motion::brownian, .frames = 3};
   const Footage told = footage_of(group);
-  group.untold_flags = true;
-  const Footage untold = footage_of(group);
+  group.without_flags = true;
+  const Footage without_flags = footage_of(group);
   ASSERT_EQ(told.flags.size(), 200U);
-  EXPECT_TRUE(untold.flags.empty());
-  EXPECT_NE(told.spec, untold.spec);
-  ASSERT_EQ(told.frames.size(), untold.frames.size());
+  EXPECT_TRUE(without_flags.flags.empty());
+  EXPECT_NE(told.spec, without_flags.spec);
+  ASSERT_EQ(told.frames.size(), without_flags.frames.size());
   for (std::size_t f = 0; f < told.frames.size(); ++f) {
-    EXPECT_TRUE(same_spheres(told.frames[f], untold.frames[f])) << "frame " << f;
+    EXPECT_TRUE(same_spheres(told.frames[f], without_flags.frames[f])) << "frame " << f;
   }
   EXPECT_FALSE(same_spheres(told.frames[0], told.frames[1])) << "some do move";
 }
@@ -48,12 +48,12 @@ TEST(BenchGroups, FramesOfFlaggedSpheresStandBesideTheSameWithoutFlags) {
   const std::vector<Group> groups = preset("frames");
   ASSERT_GE(groups.size(), 2U);
   const Group& told = groups[groups.size() - 2];
-  const Group& untold = groups.back();
-  EXPECT_EQ(untold.scene, told.scene + "_untold");
-  EXPECT_EQ(untold.argument, told.argument);
-  EXPECT_EQ(untold.motion, told.motion);
-  EXPECT_EQ(untold.frames, told.frames);
-  EXPECT_TRUE(untold.untold_flags && !told.untold_flags);
+  const Group& without_flags = groups.back();
+  EXPECT_EQ(without_flags.scene, told.scene + "_without_flags");
+  EXPECT_EQ(without_flags.argument, told.argument);
+  EXPECT_EQ(without_flags.motion, told.motion);
+  EXPECT_EQ(without_flags.frames, told.frames);
+  EXPECT_TRUE(without_flags.without_flags && !told.without_flags);
 }
 
 TEST(BenchGroups, FramesAreTimedBesideTheSameSearchedAnew) {

@@ -52,7 +52,7 @@ TEST_F(BoundsOfAChangedScene, SeesASmallerRadiusButNotZero) {
   Sphere s = scene_.spheres[5];
   s.r = 1e-30F;
   EXPECT_TRUE(violation_after(5, s));
-  s.r = 0.0F;  // zero needs no lower bound: both bands handle it
+  s.r = 0.0F;  // zero needs no lower bound: both filters handle it
   EXPECT_FALSE(violation_after(5, s));
 }
 

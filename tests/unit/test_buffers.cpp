@@ -40,7 +40,7 @@ TEST_P(Buffers, SayHowManyPairsTheyNeed) {
     finder->upload(small, scene.view());
     finder->find_pairs(clock_);
     const Counts found = finder->counts();
-    if (!GetParam().exhibit()) {
+    if (!GetParam().negative_control()) {
       EXPECT_EQ(found.pairs, needed);
     }
     EXPECT_EQ(fits(found, small.capacity, false), found.pairs <= room) << room;
@@ -60,7 +60,8 @@ TEST_P(Buffers, GrowUntilTheAnswerIsComplete) {
 }
 
 TEST_P(Buffers, AreNotNeededToCount) {
-  for (const char* spec : {"dense:n=2000", "lattice:n=1000"}) {  // the lattice's pairs are doubts
+  for (const char* spec :
+       {"dense:n=2000", "lattice:n=1000"}) {  // the lattice's pairs are uncertain pairs
     const Scene scene = generate(spec);
     const PlanOptions keep = GetParam().plan_options();
     PlanOptions count = keep;
@@ -70,7 +71,7 @@ TEST_P(Buffers, AreNotNeededToCount) {
     const Outcome outcome = find_completely(*counter, scene.view(), count);
     EXPECT_EQ(counter->digest(), finder_->digest()) << spec;
     EXPECT_EQ(outcome.plan.capacity.pairs, 0U);
-    EXPECT_EQ(outcome.plan.capacity.doubts, 0U);
+    EXPECT_EQ(outcome.plan.capacity.uncertain_pairs, 0U);
   }
 }
 
@@ -105,7 +106,7 @@ TEST(Update, AnswersForTheSpheresAsTheyAreNow) {
   }
   const PairDigest truth = digest_of(reference::exact_pairs(after.spheres));
   for (const Implementation& how : here()) {
-    if (how.exhibit() || how.has_known_faults()) continue;
+    if (how.negative_control() || how.has_known_issues()) continue;
     const auto finder = how.backend->create();
     PlanOptions options = how.plan_options();
     find_completely(*finder, before.view(), options);
@@ -125,7 +126,7 @@ TEST(Update, MayBringMoreSpheresThanTheUpload) {
   const SceneView few = {std::span(scene.spheres).first(100)};
   const PairDigest truth = digest_of(reference::exact_pairs(scene.spheres));
   for (const Implementation& how : here()) {
-    if (how.exhibit() || how.has_known_faults()) continue;
+    if (how.negative_control() || how.has_known_issues()) continue;
     PlanOptions options = how.plan_options();
     options.moving = true;
     const auto finder = how.backend->create();

@@ -71,7 +71,7 @@ TEST(CellIds, OfChapter32CoverTheSphereScaledBySqrtTwo) {
 TEST(CellIds, OfChapter32ReachNoLessThanRootTwo) {
   const auto square = [](float value) { return static_cast<double>(value) * value; };
   for (float r = 1.0F; r < 2.0F; r = std::nextafter(r, 2.0F)) {
-    ASSERT_GE(square(chapter32::reach(r)), 2.0 * square(r)) << r;
+    ASSERT_GE(square(chapter32::extent(r)), 2.0 * square(r)) << r;
   }
 }
 
@@ -107,7 +107,7 @@ TEST(CellIds, OfChapter32RecordTypesInControlBits) {
   for (std::uint32_t i = 0; i < 5000; ++i) {
     const Sphere& s = scene.spheres[i];
     const Grid& grid = w->plan.grid;
-    const auto [low, high] = cells_met(grid, s, chapter32::reach(s.r));
+    const auto [low, high] = cells_met(grid, s, chapter32::extent(s.r));
     std::uint32_t met = 0;
     for (std::uint32_t z = low.z; z <= high.z; ++z) {
       for (std::uint32_t y = low.y; y <= high.y; ++y) {

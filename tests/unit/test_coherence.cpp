@@ -50,7 +50,7 @@ TEST(EveryFrame, AmongStaticSpheresIsExact) {
       Player player = on_cpu(moving());
       int served = 0;
       for (const Spheres& spheres : move(start, motion, 20, 1, flags)) {
-        served += player.check({spheres, flags}, spec).served_by ? 1 : 0;
+        served += player.check({spheres, flags}, spec).reused ? 1 : 0;
       }
       EXPECT_TRUE(served >= 10 || motion == Motion::gravity) << spec << ": " << served;
     }
@@ -97,11 +97,11 @@ TEST(Unchanged, FramesNeedNoWork) {
   const std::vector<Sphere> spheres = generate("gas:n=4000").spheres;
   const std::vector<Sphere> copy = spheres;
   Player player = on_cpu(moving());
-  EXPECT_FALSE(player.check({spheres}, "first").served_by);
+  EXPECT_FALSE(player.check({spheres}, "first").reused);
   const Counts counts = player.check({copy}, "second");
-  EXPECT_EQ(counts.served_by, Skip::unchanged);
+  EXPECT_EQ(counts.reused, Skip::unchanged);
   EXPECT_EQ(counts.candidates, 0U);
-  EXPECT_EQ(counts.doubts, 0U);
+  EXPECT_EQ(counts.uncertain_pairs, 0U);
   EXPECT_TRUE(ran(player.times(), Stage::bounds));
   for (const Stage stage :
        {Stage::cell_ids, Stage::sort, Stage::cell_index, Stage::pair_tests, Stage::resolve}) {
@@ -124,7 +124,7 @@ TEST(Unchanged, IsNotClaimedWhereItIsForbiddenOrNothingWillMove) {
     find_completely(*finder, {spheres}, options);
     HostClock clock;
     finder->find_pairs(clock);
-    EXPECT_FALSE(finder->counts().served_by);
+    EXPECT_FALSE(finder->counts().reused);
     EXPECT_GT(finder->counts().candidates, 0U);
   }
 }
@@ -140,9 +140,9 @@ TEST(Unchanged, NoticesEveryBitOfEverySphere) {
       float Sphere::*const member[] = {&Sphere::x, &Sphere::y, &Sphere::z, &Sphere::r};
       float& value = spheres[i].*member[field];
       value = std::nextafter(value, field == 3 ? 0.0F : -1e9F);
-      EXPECT_NE(player.check({spheres}, "an ulp").served_by, Skip::unchanged);
-      EXPECT_NE(player.check({start}, "back again").served_by, Skip::unchanged);
-      EXPECT_EQ(player.check({start}, "still").served_by, Skip::unchanged);
+      EXPECT_NE(player.check({spheres}, "an ulp").reused, Skip::unchanged);
+      EXPECT_NE(player.check({start}, "back again").reused, Skip::unchanged);
+      EXPECT_EQ(player.check({start}, "still").reused, Skip::unchanged);
     }
   }
 }
@@ -156,7 +156,7 @@ TEST(Unchanged, AFrameThatFailedIsNoGround) {
   HostClock clock;
   for (int frame = 0; frame < 3; ++frame) {
     finder->find_pairs(clock);
-    EXPECT_FALSE(finder->counts().served_by) << "a list that was too small holds no pairs";
+    EXPECT_FALSE(finder->counts().reused) << "a list that was too small holds no pairs";
     EXPECT_GT(finder->counts().pairs, 0U);
   }
   std::vector<Sphere> outside = start;
@@ -166,7 +166,7 @@ TEST(Unchanged, AFrameThatFailedIsNoGround) {
     finder->update({outside});
     finder->find_pairs(clock);
     EXPECT_TRUE(finder->counts().plan_violation);
-    EXPECT_FALSE(finder->counts().served_by);
+    EXPECT_FALSE(finder->counts().reused);
   }
   finder->update({start});
   finder->find_pairs(clock);
@@ -181,12 +181,12 @@ TEST(Skin, TestsTheNearPairsAndNoOthers) {
     int searches = 0;
     for (std::size_t f = 0; f < frames.size(); ++f) {
       const Counts counts = player.check({frames[f]}, spec);
-      if (!counts.served_by) {
+      if (!counts.reused) {
         ++searches;
         near = 0;
         continue;
       }
-      EXPECT_EQ(counts.served_by, Skip::skin) << spec;
+      EXPECT_EQ(counts.reused, Skip::skin) << spec;
       if (near == 0) near = counts.candidates;
       EXPECT_EQ(counts.candidates, near) << spec << ": one list, one length";
       EXPECT_LE(counts.candidates, 3 * counts.pairs + 20000) << spec;
@@ -206,7 +206,7 @@ TEST(Skin, ServesWhereMostStandStillAndTheOthersMoveLittle) {
     const Skip expected = motion == Motion::few ? Skip::skin : Skip::few_movers;
     std::size_t served = 0;
     for (const Spheres& frame : frames) {
-      if (player.check({frame}, "a frame").served_by == expected) ++served;
+      if (player.check({frame}, "a frame").reused == expected) ++served;
     }
     EXPECT_GE(served, frames.size() / 2);
   }
@@ -223,8 +223,8 @@ TEST(Skin, ListsNoPairThatMayNotCollide) {
     flagged = with.check({frame, scene.flags}, "with flags");
     all = without.check({frame}, "without");
   }
-  EXPECT_EQ(flagged.served_by, Skip::skin);
-  EXPECT_EQ(all.served_by, Skip::skin);
+  EXPECT_EQ(flagged.reused, Skip::skin);
+  EXPECT_EQ(all.reused, Skip::skin);
   EXPECT_LT(flagged.candidates, all.candidates / 2);
 }
 
@@ -234,7 +234,7 @@ TEST(Skin, LastsLongerWhereMostAreStatic) {
   const auto searches = [&](const AllFlags& flags) {
     Player player = on_cpu(moving());
     int count = 0;
-    for (const Spheres& frame : frames) count += player.show({frame, flags}).served_by ? 0 : 1;
+    for (const Spheres& frame : frames) count += player.show({frame, flags}).reused ? 0 : 1;
     return count;
   };
   EXPECT_LE(2 * searches(scene.flags), searches({}));
@@ -252,7 +252,7 @@ TEST(Skin, IsLeftByTheLeastStepOfAStaticSphere) {
   for (std::size_t f = 0; f < frames.size(); ++f) {
     const Counts counts = player.check({frames[f], scene.flags}, "a frame");
     if (f >= 2) {
-      EXPECT_EQ(counts.served_by == Skip::skin, f != 8) << f;
+      EXPECT_EQ(counts.reused == Skip::skin, f != 8) << f;
     }
   }
 }
@@ -267,7 +267,7 @@ TEST(Skin, IsLeftByASingleSphere) {
     Player player = on_cpu(moving());
     int served = 0;
     for (const Spheres& spheres : frames) {
-      served += player.check({spheres}, "one flies").served_by == Skip::skin ? 1 : 0;
+      served += player.check({spheres}, "one flies").reused == Skip::skin ? 1 : 0;
     }
     if (step == 0.01F) {
       EXPECT_GT(served, 10);
@@ -281,7 +281,7 @@ TEST(Skin, IsLeftByASingleSphere) {
 TEST(Skin, IsNotWornWhereAllAreSomewhereElse) {
   Player player = on_cpu(moving());
   for (const Spheres& spheres : teleports("gas:n=3000", 1.0)) {
-    EXPECT_FALSE(player.check({spheres}, "teleports").served_by);
+    EXPECT_FALSE(player.check({spheres}, "teleports").reused);
   }
 }
 

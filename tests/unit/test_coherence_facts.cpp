@@ -40,7 +40,7 @@ void expect_violations_as_if_searched(const Frames& frames, const AllFlags& flag
       EXPECT_EQ(finder->digest(), plain->digest()) << f;
     }
     violations += counts.plan_violation ? 1 : 0;
-    served += counts.served_by == Skip::skin ? 1 : 0;
+    served += counts.reused == Skip::skin ? 1 : 0;
   }
   EXPECT_GT(violations, 0) << "nothing is tested";
   EXPECT_GT(served, 0) << "nothing is tested";

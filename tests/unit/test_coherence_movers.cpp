@@ -22,7 +22,7 @@ TEST(FewMovers, CostWorkInProportionToThem) {
     for (std::size_t f = 0; f < frames.size(); ++f) {
       const Counts counts = player.check({frames[f]}, spec);
       if (f == 0) continue;
-      EXPECT_EQ(counts.served_by, Skip::few_movers) << spec;
+      EXPECT_EQ(counts.reused, Skip::few_movers) << spec;
       EXPECT_NEAR(static_cast<double>(counts.ids), 2000.0, 200.0) << spec;
       EXPECT_LE(counts.candidates, 400 * (counts.ids + counts.pairs)) << spec;
     }
@@ -37,7 +37,7 @@ TEST(FewMovers, OneAloneIsLookedForAlone) {
   for (int step = 0; step < 5; ++step) {
     spheres[77].x *= 0.9F;
     const Counts counts = player.check({spheres}, "a step");
-    EXPECT_EQ(counts.served_by, Skip::few_movers);
+    EXPECT_EQ(counts.reused, Skip::few_movers);
     EXPECT_EQ(counts.ids, 1U);
     EXPECT_LE(counts.candidates, 600U);
   }
@@ -49,7 +49,7 @@ TEST(FewMovers, AreGivenUpWhenTheyAreMany) {
   int searches = 0;
   for (std::size_t f = 0; f < 30; ++f) {  // another twentieth each time
     for (std::size_t i = f % 20; i < spheres.size(); i += 20) spheres[i].y *= 0.99F;
-    searches += player.check({spheres}, "twentieth").served_by ? 0 : 1;
+    searches += player.check({spheres}, "twentieth").reused ? 0 : 1;
   }
   EXPECT_GE(searches, 6);
   EXPECT_LE(searches, 9);
@@ -65,9 +65,9 @@ TEST(FewMovers, MayBeFewerThanTheyWereBefore) {
     return player.check({spheres}, std::to_string(count) + " movers");
   };
   player.check({spheres}, "start");
-  EXPECT_EQ(step(0, 19000).served_by, Skip::few_movers);  // two blocks
-  EXPECT_EQ(step(19000, 19000).served_by, std::nullopt);  // too many: nobody has moved since
-  for (std::size_t k = 0; k < 8; ++k) EXPECT_EQ(step(2000 * k, 2000).served_by, Skip::few_movers);
+  EXPECT_EQ(step(0, 19000).reused, Skip::few_movers);  // two blocks
+  EXPECT_EQ(step(19000, 19000).reused, std::nullopt);  // too many: nobody has moved since
+  for (std::size_t k = 0; k < 8; ++k) EXPECT_EQ(step(2000 * k, 2000).reused, Skip::few_movers);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The rules by which impl_cuda_custom takes over from the last frame, without a device: a model
-// that looks at spheres one by one, as the kernels do, and lists near pairs by the reference.
+// that looks at spheres one by one, as the kernels do, and lists neighbor pairs by the reference.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,18 +24,18 @@ class Model {
   Model(const Allowed& allowed, float growth, double static_share)
       : allowed_(allowed), growth_(growth), static_share_(static_share) {}
 
-  Course play(const Spheres& now) {
+  FrameMode play(const Spheres& now) {
     if (now.size() != before_.size()) start_anew(now);
     const Trial trial = trial_of(kept_, true, allowed_);
     Kept seen = kept_;
     std::uint32_t found = 0;
     for (std::size_t i = 0; i < now.size(); ++i) found |= look_at(trial, now[i], i);
     seen.still_now = std::ranges::equal(now, before_, same_bits) ? kSampled : 0;
-    const Course course = course_of(trial, found);
-    kept_ = after(seen, trial, course, allowed_, growth_);
-    answer(now, course);
+    const FrameMode mode = mode_of(trial, found);
+    kept_ = after(seen, trial, mode, allowed_, growth_);
+    answer(now, mode);
     before_ = now;
-    return course;
+    return mode;
   }
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
   [[nodiscard]] std::vector<Pair> truth(const Spheres& spheres) const {
@@ -62,31 +62,31 @@ class Model {
     const Step step = step_of(searched_[i], now, growth);
     const bool truth =
         reference::overlap(step.ball, step.point) && bits_of(searched_[i].r) == bits_of(now.r);
-    if (verdict != Verdict::doubt) {
+    if (verdict != Verdict::uncertain) {
       EXPECT_EQ(verdict == Verdict::overlap, truth);
     }
     return truth ? kDiffers : kDiffers | kLeft;
   }
 
-  void answer(const Spheres& now, Course course) {
-    if (course == Course::search) {
+  void answer(const Spheres& now, FrameMode mode) {
+    if (mode == FrameMode::search) {
       pairs_ = truth(now);
       searched_ = now;
-      if (kept_.list_made != 0) list_near_pairs(now);
+      if (kept_.list_made != 0) build_neighbor_list(now);
     }
-    if (course != Course::near_pairs) return;
+    if (mode != FrameMode::neighbor_list) return;
     pairs_.clear();
     for (const Pair& pair : near_) {
       if (reference::overlap(now[pair.i], now[pair.j])) pairs_.push_back(pair);
     }
   }
 
-  void list_near_pairs(Spheres grown) {
+  void build_neighbor_list(Spheres grown) {
     for (std::uint32_t i = 0; i < grown.size(); ++i) {
       grown[i].r = radius_in_search(grown[i], flags(), i, growth_);
     }
     near_ = truth(grown);
-    kept_.near_pairs = near_.size();
+    kept_.neighbor_list = near_.size();
   }
 
   [[nodiscard]] const Flags* flags() const { return flags_.empty() ? nullptr : flags_.data(); }
@@ -114,17 +114,18 @@ TEST_P(SharesOfStatic, TakeOverOnlyWhatIsProved) {
     for (const Allowed& allowed : choices) {
       Model model(allowed, 0.05F, GetParam());
       for (std::size_t f = 0; f < sequence.frames.size(); ++f) {
-        const Course course = model.play(sequence.frames[f]);
-        ++served[static_cast<std::size_t>(course)];
+        const FrameMode mode = model.play(sequence.frames[f]);
+        ++served[static_cast<std::size_t>(mode)];
         ASSERT_EQ(model.pairs(), model.truth(sequence.frames[f]))
             << sequence.name << ", frame " << f;
-        ASSERT_TRUE(course != Course::unchanged || allowed.unchanged);
-        ASSERT_TRUE(course != Course::near_pairs || allowed.near_pairs);
+        ASSERT_TRUE(mode != FrameMode::unchanged || allowed.unchanged);
+        ASSERT_TRUE(mode != FrameMode::neighbor_list || allowed.neighbor_list);
       }
     }
   }
-  EXPECT_GT(served[static_cast<std::size_t>(Course::unchanged)], 20);
-  EXPECT_GT(served[static_cast<std::size_t>(Course::near_pairs)], GetParam() > 0.0 ? 50 : 100);
+  EXPECT_GT(served[static_cast<std::size_t>(FrameMode::unchanged)], 20);
+  EXPECT_GT(served[static_cast<std::size_t>(FrameMode::neighbor_list)],
+            GetParam() > 0.0 ? 50 : 100);
 }
 
 INSTANTIATE_TEST_SUITE_P(CoherenceRules, SharesOfStatic, testing::Values(-1.0, 0.0, 0.9));
@@ -133,22 +134,22 @@ constexpr Allowed kAll = {true, true, 100};
 Kept all_kept() {
   Kept kept = {};
   kept.frames = 7;
-  kept.copy_holds = kept.list_made = 1;
+  kept.snapshot_holds = kept.list_made = 1;
   kept.growth = 0.5F;
-  kept.near_pairs = 100;
+  kept.neighbor_list = 100;
   return kept;
 }
 
 TEST(CoherenceRules, AFrameThatFailedIsNoGround) {
   const Trial trial = trial_of(all_kept(), false, kAll);
   EXPECT_FALSE(trial.compare || trial.skin);
-  EXPECT_EQ(course_of(trial, 0), Course::search);
+  EXPECT_EQ(mode_of(trial, 0), FrameMode::search);
 }
 
 TEST(CoherenceRules, AListThatIsTooShortIsNoGround) {
   Kept kept = all_kept();
   EXPECT_TRUE(trial_of(kept, true, kAll).skin);
-  ++kept.near_pairs;
+  ++kept.neighbor_list;
   EXPECT_FALSE(trial_of(kept, true, kAll).skin);
 }
 
@@ -162,7 +163,7 @@ TEST(CoherenceRules, NothingIsTriedThatIsForbiddenOrUnknown) {
 
 TEST(CoherenceRules, ACopyIsMadeOnceNothingMoves) {
   Kept kept = all_kept();
-  kept.copy_holds = 0;
+  kept.snapshot_holds = 0;
   EXPECT_FALSE(trial_of(kept, true, kAll).keep);
   kept.still = kSampled;
   EXPECT_TRUE(trial_of(kept, true, kAll).keep);
@@ -170,9 +171,9 @@ TEST(CoherenceRules, ACopyIsMadeOnceNothingMoves) {
 
 TEST(CoherenceRules, WhatIsSeenDecidesTheCourse) {
   const Trial trial = trial_of(all_kept(), true, kAll);
-  EXPECT_EQ(course_of(trial, 0), Course::unchanged);
-  EXPECT_EQ(course_of(trial, kDiffers), Course::near_pairs);
-  EXPECT_EQ(course_of(trial, kDiffers | kLeft), Course::search);
+  EXPECT_EQ(mode_of(trial, 0), FrameMode::unchanged);
+  EXPECT_EQ(mode_of(trial, kDiffers), FrameMode::neighbor_list);
+  EXPECT_EQ(mode_of(trial, kDiffers | kLeft), FrameMode::search);
 }
 
 TEST(CoherenceRules, AZeroOfAnotherSignIsAnotherSphere) {
@@ -185,7 +186,7 @@ TEST(CoherenceRules, AnotherRadiusLeavesAnySkin) {
   EXPECT_EQ(within_skin({0, 0, 0, 1}, {0, 0, 0, 1}, 0.1F), Verdict::overlap);
   EXPECT_EQ(within_skin({0, 0, 0, 1}, {0, 0, 0, std::nextafter(1.0F, 0.0F)}, 0.1F), Verdict::apart);
   EXPECT_EQ(within_skin({0, 0, 0, 1}, {0.2F, 0, 0, 1}, 0.1F), Verdict::apart);
-  EXPECT_EQ(within_skin({0, 0, 0, 1}, {0.1F, 0, 0, 1}, 0.1F), Verdict::doubt);
+  EXPECT_EQ(within_skin({0, 0, 0, 1}, {0.1F, 0, 0, 1}, 0.1F), Verdict::uncertain);
 }
 
 TEST(CoherenceRules, StaticSpheresDoNotGrowAndMustStand) {

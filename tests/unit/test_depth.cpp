@@ -127,7 +127,7 @@ TEST(Depth, KeepsItsBoundNearContact) {
     const Sphere b = {static_cast<float>(v[0] * step), static_cast<float>(v[1] * step),
                       static_cast<float>(v[2] * step), r};
     worst = std::max(worst, reference::depth_error_ulp(penetration_depth(a, b), a, b));
-    const float plain = a.r + b.r - std::sqrt(band_distance2(a, b));
+    const float plain = a.r + b.r - std::sqrt(filter_distance2(a, b));
     worst_plain = std::max(worst_plain, reference::depth_error_ulp(plain, a, b));
   }
   EXPECT_LE(worst, kProvedUlp);

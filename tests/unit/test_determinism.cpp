@@ -37,7 +37,7 @@ constexpr Golden kGoldenAsWritten[] = {
 #include "tests/support/golden_as_written.inc"
 };
 
-TEST(Determinism, TheExhibitLosesTheSamePairsOnEveryBackend) {
+TEST(Determinism, TheNegativeControlLosesTheSamePairsOnEveryBackend) {
   for (const BackendInfo& backend : backends()) {
     if (backend.kind == Kind::baseline || backend.why_unavailable()) continue;
     for (const Golden& golden : kGoldenAsWritten) {

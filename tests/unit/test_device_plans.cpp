@@ -43,7 +43,7 @@ TEST(DevicePlans, OfThrustFollowItsOwnTimes) {
 
 TEST(DevicePlans, DoNotCountEqualRadiiForASkip) {
   const Plan plan = plan_for("gas:n=1000");
-  EXPECT_EQ(plan.test, PairTest::band_fast);
+  EXPECT_EQ(plan.test, PairTest::filter_fast);
   EXPECT_FALSE(plan.taken.has(Skip::equal_radii));
   EXPECT_THROW(plan_for("gas:n=1000", Skips().with(Skip::equal_radii)), LimitError);
 }

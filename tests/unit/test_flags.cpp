@@ -158,7 +158,7 @@ class WithFlags : public testing::TestWithParam<Implementation> {
     if (!pairs) return;
     const auto truth = reference::exact_pairs(scene.spheres, scene.flags);
     const reference::Comparison difference = reference::compare(*pairs, truth);
-    const bool may_lose = GetParam().has_known_faults();
+    const bool may_lose = GetParam().has_known_issues();
     EXPECT_TRUE(difference.missed == 0 || may_lose) << what << ": missed " << difference.missed;
     EXPECT_EQ(difference.false_pairs, 0U) << what;
     EXPECT_EQ(difference.duplicates, 0U) << what;
@@ -211,14 +211,15 @@ TEST_P(WithFlags, GroupsAndMasksMayChangePlaces) {
 
 TEST_P(WithFlags, PairsThatAreOnlyCountedAreTheSame) {
   const Implementation& how = GetParam();
-  // All contacts of a lattice are doubts, which a count_only plan decides where it finds them.
+  // All contacts of a lattice are uncertain pairs, which a count_only plan decides where it finds
+  // them.
   const Scene scene = generate("lattice:n=1000,static=0.5,groups=3");
   const PairDigest truth = digest_of(reference::exact_pairs(scene));
   const std::unique_ptr<PairFinder> finder = how.backend->create();
   PlanOptions options = how.plan_options(2);
   options.count_only = true;
   find_completely(*finder, scene.view(), options);
-  if (how.has_known_faults()) {
+  if (how.has_known_issues()) {
     EXPECT_LE(finder->digest().count, truth.count);
   } else {
     EXPECT_EQ(finder->digest(), truth);
@@ -251,7 +252,7 @@ TEST_P(WithFlags, FlagsOfSomeSpheresOnlyAreRefused) {
 std::vector<Implementation> correct_implementations() {
   std::vector<Implementation> correct;
   for (const Implementation& how : implementations()) {
-    if (!how.exhibit() && !how.backend->why_unavailable()) correct.push_back(how);
+    if (!how.negative_control() && !how.backend->why_unavailable()) correct.push_back(how);
   }
   return correct;
 }

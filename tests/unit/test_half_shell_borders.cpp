@@ -14,8 +14,8 @@
 namespace octocell::cpu {
 namespace {
 
-/// Of two spheres that are within reach of each other, in cells to both sides of a border, both lie
-/// where that border's partners are looked for; and not many others do.
+/// Of two spheres that are within distance of each other, in cells to both sides of a border, both
+/// lie where that border's partners are looked for; and not many others do.
 TEST(HalfShellBorders, LeaveOutNoPartnerAndFewOthers) {
   std::mt19937 random(5);
   const auto between = [&](double low, double high) {
@@ -32,16 +32,16 @@ TEST(HalfShellBorders, LeaveOutNoPartnerAndFewOthers) {
     }
     const Grid grid = make_level(facts, r, side, 1, 28).grid;
     const auto above = static_cast<std::uint32_t>(1 + random() % (grid.cell_count[1] - 1));
-    const float reach = 2.0F * r;
-    const half_shell::Border border = half_shell::border_below(grid, 1, above, reach);
+    const float distance = 2.0F * r;
+    const half_shell::Border border = half_shell::border_below(grid, 1, above, distance);
     const double apart = static_cast<double>(border.upper) - static_cast<double>(border.lower);
     const double ulps = 0x1p-20 * std::fabs(static_cast<double>(border.upper));
-    ASSERT_LE(apart, 2.001 * static_cast<double>(reach) + ulps) << trial;
+    ASSERT_LE(apart, 2.001 * static_cast<double>(distance) + ulps) << trial;
     // Around the border, in steps that a float can take.
     float p = border.lower;
     for (int step = 0; step < 40; ++step) p = std::nextafter(p, HUGE_VALF);
     for (int step = 0; step < 80; ++step, p = std::nextafter(p, -HUGE_VALF)) {
-      const float q = p + reach;
+      const float q = p + distance;
       const bool partners = static_cast<double>(q) - static_cast<double>(p) <= 2.0 * r &&
                             cell_coordinate(grid, 1, p) < above &&
                             cell_coordinate(grid, 1, q) >= above;

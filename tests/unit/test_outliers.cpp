@@ -207,7 +207,7 @@ TEST(Outliers, AreExactWhereverTheGridLies) {
     for (const Implementation& how : with_grids()) {
       if (how.planned()) continue;
       Plan plan = make_plan(stats, how.plan_options(2));
-      plan.capacity.pairs = plan.capacity.doubts = 100 * scene.spheres.size();
+      plan.capacity.pairs = plan.capacity.uncertain_pairs = 100 * scene.spheres.size();
       if (how.method == Method::home_phantom) {
         plan.grid = make_grid(facts, side, widest_box(facts, facts.r_max));
         plan.key_bits = plan.grid.key_bits;

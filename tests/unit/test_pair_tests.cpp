@@ -20,7 +20,7 @@ namespace {
 std::unique_ptr<Workspace> after_pair_tests(const Scene& scene, const PlanOptions& options) {
   auto w = workspace_for(scene.view(), options);
   const std::uint64_t all_pairs = scene.spheres.size() * (scene.spheres.size() - 1) / 2;
-  w->doubts.allocate(all_pairs);
+  w->uncertain_pairs.allocate(all_pairs);
   w->pairs.allocate(all_pairs);
   bounds(*w);
   if (w->plan.method == Method::home_phantom) {
@@ -51,7 +51,7 @@ class PairTests : public testing::TestWithParam<Way> {
   }
 };
 
-TEST_P(PairTests, SurePairsAreRightAndWhatIsLeftIsDoubted) {
+TEST_P(PairTests, SurePairsAreRightAndWhatIsLeftIsUncertain) {
   for (const char* spec : {"gas:n=2", "gas:n=3000", "dense:n=3000", "poly:n=3000", "lattice:n=3000",
                            "identical:n=2500", "giant:n=3000"}) {
     const Scene scene = generate(spec);
@@ -59,10 +59,11 @@ TEST_P(PairTests, SurePairsAreRightAndWhatIsLeftIsDoubted) {
     for (const int threads : {1, 3}) {
       const auto w = after_pair_tests(scene, options(threads));
       const std::vector<Pair> sure = sorted(w->pairs.items());
-      const std::vector<Pair> doubts = sorted(w->doubts.items());
+      const std::vector<Pair> uncertain_pairs = sorted(w->uncertain_pairs.items());
       ASSERT_TRUE(std::includes(truth.begin(), truth.end(), sure.begin(), sure.end())) << spec;
       std::vector<Pair> both;
-      std::merge(sure.begin(), sure.end(), doubts.begin(), doubts.end(), std::back_inserter(both));
+      std::merge(sure.begin(), sure.end(), uncertain_pairs.begin(), uncertain_pairs.end(),
+                 std::back_inserter(both));
       ASSERT_EQ(std::adjacent_find(both.begin(), both.end()), both.end()) << spec << ": twice";
       ASSERT_TRUE(std::includes(both.begin(), both.end(), truth.begin(), truth.end()))
           << spec << ": lost";
@@ -70,14 +71,14 @@ TEST_P(PairTests, SurePairsAreRightAndWhatIsLeftIsDoubted) {
   }
 }
 
-TEST_P(PairTests, TangentSpheresAreDoubtedAndOverlappingOnesAreNot) {
-  PlanOptions doubting = options();
-  doubting.allowed = doubting.allowed.without(Skip::doubts);
-  const auto lattice = after_pair_tests(generate("lattice:n=1000"), doubting);
-  EXPECT_EQ(lattice->doubts.size(), 2700U);
+TEST_P(PairTests, TangentSpheresAreUncertainAndOverlappingOnesAreNot) {
+  PlanOptions uncertain = options();
+  uncertain.allowed = uncertain.allowed.without(Skip::uncertain_pairs);
+  const auto lattice = after_pair_tests(generate("lattice:n=1000"), uncertain);
+  EXPECT_EQ(lattice->uncertain_pairs.size(), 2700U);
   EXPECT_EQ(lattice->pairs.size(), 0U);
   const auto gas = after_pair_tests(generate("gas:n=3000"), options());
-  EXPECT_EQ(gas->doubts.size(), 0U);
+  EXPECT_EQ(gas->uncertain_pairs.size(), 0U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, PairTests,
@@ -108,7 +109,7 @@ TEST(PairTests, AsWrittenLosesTheSamePairsEveryTime) {
   EXPECT_EQ(pairs, sorted(again->pairs.items()));
   const reference::Comparison difference =
       reference::compare(pairs, reference::exact_pairs(scene.spheres));
-  EXPECT_GT(difference.missed, pairs.size() / 10) << "the exhibit shows nothing";
+  EXPECT_GT(difference.missed, pairs.size() / 10) << "the negative control shows nothing";
   EXPECT_EQ(difference.false_pairs, 0U);
 }
 
@@ -127,7 +128,7 @@ TEST(PairTests, NothingIsTestedOverTheCandidateLimit) {
   const Scene scene = generate("identical:n=2000");
   const auto w = after_pair_tests(scene, {.candidate_limit = 1000});
   EXPECT_EQ(w->candidates, 1999000U);
-  EXPECT_EQ(w->pairs.size() + w->doubts.size(), 0U);
+  EXPECT_EQ(w->pairs.size() + w->uncertain_pairs.size(), 0U);
 }
 
 }  // namespace

@@ -43,16 +43,16 @@ TEST(Planner, Chapter32IsRefusedWhereFloatsAreTooCoarse) {
   EXPECT_NO_THROW(plan_for("shifted:n=1000,offset=1e6", {.rule = Rule::chapter32}));
 }
 
-TEST(Planner, TheFastBandIsForRadiiInItsRange) {
+TEST(Planner, TheFastFilterIsForRadiiInItsRange) {
   const auto test = [](std::vector<Sphere> spheres) {
     spheres[0].x = 0.1F;  // off any lattice
     const Skips allowed = Skips::all().without(Skip::equal_radii);
     return make_plan(measure({spheres}), {.allowed = allowed}).test;
   };
-  EXPECT_EQ(test({{0, 0, 0, 1}, {0, 0, 0, 0}}), PairTest::band_fast);
-  EXPECT_EQ(test({{0, 0, 0, kFastRadiusMin}, {0, 0, 0, kFastRadiusMax}}), PairTest::band_fast);
-  EXPECT_EQ(test({{0, 0, 0, 1}, {0, 0, 0, 0x1p-61F}}), PairTest::band_safe);
-  EXPECT_EQ(test({{0, 0, 0, 0x1p63F}}), PairTest::band_safe);
+  EXPECT_EQ(test({{0, 0, 0, 1}, {0, 0, 0, 0}}), PairTest::filter_fast);
+  EXPECT_EQ(test({{0, 0, 0, kFastRadiusMin}, {0, 0, 0, kFastRadiusMax}}), PairTest::filter_fast);
+  EXPECT_EQ(test({{0, 0, 0, 1}, {0, 0, 0, 0x1p-61F}}), PairTest::filter_safe);
+  EXPECT_EQ(test({{0, 0, 0, 0x1p63F}}), PairTest::filter_safe);
 }
 
 TEST(Planner, AGiantDoesNotDictateTheCellSide) {
@@ -76,11 +76,12 @@ TEST(Planner, CellsFollowTheClustersNotTheirBox) {
 
 TEST(Planner, GrowsEveryBufferToWhatWasFoundAndShrinksNone) {
   Plan plan = plan_for("gas:n=1000");
-  plan.capacity = {.ids = 10, .cells = 10, .doubts = 10, .pairs = 10};
-  const Plan next = grow(plan, {.ids = 100, .cells = 5, .doubts = 20, .pairs = 7, .used = {}});
+  plan.capacity = {.ids = 10, .cells = 10, .uncertain_pairs = 10, .pairs = 10};
+  const Plan next =
+      grow(plan, {.ids = 100, .cells = 5, .uncertain_pairs = 20, .pairs = 7, .used = {}});
   EXPECT_EQ(next.capacity.ids, 100U);
   EXPECT_GE(next.capacity.cells, 10U);
-  EXPECT_EQ(next.capacity.doubts, 20U);
+  EXPECT_EQ(next.capacity.uncertain_pairs, 20U);
   EXPECT_EQ(next.capacity.pairs, 10U);
 }
 
@@ -170,12 +171,12 @@ TEST(Planner, CellsOfEveryLevelAreADiameterWide) {
       const Level& level = plan.levels.level[k];
       EXPECT_GE(level.grid.cell_side, 2.0 * level.r_max) << scene;
       const double unit = level.grid.cell_side / level.grid.width[1].units;
-      EXPECT_GE(level.reach * level.grid.width[0].units * unit, 2.0 * level.r_max) << scene;
+      EXPECT_GE(level.column_reach * level.grid.width[0].units * unit, 2.0 * level.r_max) << scene;
       EXPECT_EQ(level.first_id, next_id) << scene;
       next_id += level.ids;
       for (int a = 0; a < 3; ++a) {
         if (level.grid.wraps(a)) {
-          EXPECT_GE(level.grid.period(a), 2 * level.reach + 2) << scene;
+          EXPECT_GE(level.grid.period(a), 2 * level.column_reach + 2) << scene;
         }
       }
     }

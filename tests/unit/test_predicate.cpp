@@ -48,13 +48,13 @@ class Maker {
     two.a = {value(uniform(-1, 1) + offset), value(uniform(-1, 1)), value(uniform(-1, 1)),
              value(uniform(0, 1))};
     two.b.r = value(uniform(0, 1));
-    const double reach = static_cast<double>(two.a.r) + two.b.r;
+    const double radius_sum = static_cast<double>(two.a.r) + two.b.r;
     const double u = uniform(-1, 1);
     const double phi = uniform(0, 6.283185307179586);
     const double s = std::sqrt(1 - u * u);
-    two.b.x = static_cast<float>(two.a.x + reach * s * std::cos(phi));
-    two.b.y = static_cast<float>(two.a.y + reach * s * std::sin(phi));
-    two.b.z = static_cast<float>(two.a.z + reach * u);
+    two.b.x = static_cast<float>(two.a.x + radius_sum * s * std::cos(phi));
+    two.b.y = static_cast<float>(two.a.y + radius_sum * s * std::sin(phi));
+    two.b.z = static_cast<float>(two.a.z + radius_sum * u);
     return two;
   }
 
@@ -85,22 +85,24 @@ class Maker {
   std::mt19937 random_;
 };
 
-bool fast_band_applies(const Two& two) { return in_fast_range(two.a.r) && in_fast_range(two.b.r); }
+bool fast_filter_applies(const Two& two) {
+  return in_fast_range(two.a.r) && in_fast_range(two.b.r);
+}
 
 struct Tally {
   int decided = 0;
-  int by_band = 0;
+  int by_filter = 0;
   int by_float64 = 0;
 };
 
 void expect_right(const Two& two, Tally& tally) {
   const bool truth = reference::overlap(two.a, two.b);
   const Verdict right = truth ? Verdict::overlap : Verdict::apart;
-  const auto certain_and_right = [&](Verdict v) { return v == Verdict::doubt || v == right; };
-  const Verdict safe = band_verdict<Band::safe>(two.a, two.b);
+  const auto certain_and_right = [&](Verdict v) { return v == Verdict::uncertain || v == right; };
+  const Verdict safe = filter_verdict<Filter::safe>(two.a, two.b);
   ASSERT_TRUE(certain_and_right(safe));
-  if (fast_band_applies(two)) {
-    ASSERT_TRUE(certain_and_right(band_verdict<Band::fast>(two.a, two.b)));
+  if (fast_filter_applies(two)) {
+    ASSERT_TRUE(certain_and_right(filter_verdict<Filter::fast>(two.a, two.b)));
   }
   const Verdict float64 = exact::float64_test(two.a, two.b);
   ASSERT_TRUE(certain_and_right(float64));
@@ -108,8 +110,8 @@ void expect_right(const Two& two, Tally& tally) {
   ASSERT_EQ(overlap_exact(two.a, two.b), truth);
   ASSERT_EQ(overlap_exact(two.b, two.a), truth);
   ++tally.decided;
-  tally.by_band += safe != Verdict::doubt ? 1 : 0;
-  tally.by_float64 += float64 != Verdict::doubt ? 1 : 0;
+  tally.by_filter += safe != Verdict::uncertain ? 1 : 0;
+  tally.by_float64 += float64 != Verdict::uncertain ? 1 : 0;
 }
 
 constexpr int kPairs = 100000;
@@ -128,14 +130,14 @@ TEST(Predicate, IsRightNearTangencyAtEveryScale) {
     expect_right(make.near_tangent(-4, 4, 0.0), tally);
     expect_right(make.near_tangent(-4, 4, 1e5), tally);
   }
-  EXPECT_GT(tally.by_float64, tally.by_band) << "no doubt ever reached level 2";
+  EXPECT_GT(tally.by_float64, tally.by_filter) << "no uncertain pair ever reached level 2";
 }
 
 TEST(Predicate, IsRightOnTiesAndTheirNeighbours) {
   Maker make(3);
   Tally tally;
   for (int k = 0; k < kPairs && !HasFatalFailure(); ++k) expect_right(make.pythagorean(), tally);
-  EXPECT_LT(tally.by_band, tally.decided);
+  EXPECT_LT(tally.by_filter, tally.decided);
 }
 
 TEST(Predicate, IsRightOnDenormals) {
@@ -148,8 +150,8 @@ TEST(Predicate, LevelThreeIsReached) {
   // 2^-80 does not fit beside 1 in 53 bits: float64 cannot see it, integers can.
   const Two touching = {{0, 0, 0, 1.0F}, {0, 0, 1.0F + 0x1p-20F, 0x1p-20F}};
   const Two tiny_gap = {{-0x1p-80F, 0, 0, 1.0F}, {2.0F, 0, 0, 1.0F}};
-  EXPECT_NE(exact::float64_test(touching.a, touching.b), Verdict::doubt);
-  EXPECT_EQ(exact::float64_test(tiny_gap.a, tiny_gap.b), Verdict::doubt);
+  EXPECT_NE(exact::float64_test(touching.a, touching.b), Verdict::uncertain);
+  EXPECT_EQ(exact::float64_test(tiny_gap.a, tiny_gap.b), Verdict::uncertain);
   EXPECT_FALSE(overlap_exact(tiny_gap.a, tiny_gap.b));
   const Two tiny_overlap = {{0x1p-80F, 0, 0, 1.0F}, {2.0F, 0, 0, 1.0F}};
   EXPECT_TRUE(overlap_exact(tiny_overlap.a, tiny_overlap.b));

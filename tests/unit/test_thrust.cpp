@@ -33,7 +33,7 @@ void expect_same_results(const Counts& a, const Counts& b, const std::string& wh
 void expect_same_counts(const Counts& a, const Counts& b, const std::string& what) {
   expect_same_results(a, b, what);
   EXPECT_EQ(a.candidates, b.candidates) << what;
-  EXPECT_EQ(a.doubts, b.doubts) << what;
+  EXPECT_EQ(a.uncertain_pairs, b.uncertain_pairs) << what;
 }
 
 struct Way {
@@ -79,7 +79,7 @@ TEST_P(Thrust, CountsWhatImplCpuCounts) {
 constexpr std::pair<std::uint64_t Capacities::*, std::uint64_t Counts::*> kBuffers[] = {
     {&Capacities::ids, &Counts::ids},
     {&Capacities::cells, &Counts::cells},
-    {&Capacities::doubts, &Counts::doubts},
+    {&Capacities::uncertain_pairs, &Counts::uncertain_pairs},
     {&Capacities::pairs, &Counts::pairs}};
 
 TEST_P(Thrust, SaysWhatAFullBufferNeedsTheFirstTime) {
@@ -137,7 +137,7 @@ TEST_P(Thrust, StartsNoTestsOverTheCandidateLimit) {
   }
 }
 
-TEST_P(Thrust, ATangentLatticeIsCountedWhereItsDoubtsDoNotAllFit) {
+TEST_P(Thrust, ATangentLatticeIsCountedWhereItsUncertainPairsDoNotAllFit) {
   const Scene scene = generate("lattice:n=1000");
   Plan plan = roomy_plan(scene, options());
   const Answer all = ask(*ours_, plan, scene.view());
@@ -148,7 +148,7 @@ TEST_P(Thrust, ATangentLatticeIsCountedWhereItsDoubtsDoNotAllFit) {
     EXPECT_EQ(answer.pairs.size(), room == all.counts.pairs ? room : 0U);
   }
   plan.count_only = true;
-  plan.capacity.pairs = plan.capacity.doubts = 0;
+  plan.capacity.pairs = plan.capacity.uncertain_pairs = 0;
   EXPECT_EQ(ask(*ours_, plan, scene.view()).digest, all.digest);
 }
 

@@ -38,7 +38,7 @@ std::uint64_t adjacent_pairs(const Levels& levels, std::span<const Sphere> spher
       const Level& level = levels.level[level_of(levels, std::max(p.r, q.r))];
       const Cell a = cell_of(level.grid, p.x, p.y, p.z);
       const Cell b = cell_of(level.grid, q.x, q.y, q.z);
-      const bool adjacent = cells_apart(level.grid, 0, a.x, b.x) <= level.reach &&
+      const bool adjacent = cells_apart(level.grid, 0, a.x, b.x) <= level.column_reach &&
                             cells_apart(level.grid, 1, a.y, b.y) <= 1 &&
                             cells_apart(level.grid, 2, a.z, b.z) <= 1;
       pairs += adjacent ? 1 : 0;

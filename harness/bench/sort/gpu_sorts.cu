@@ -15,10 +15,10 @@ namespace {
 
 using cuda::check;
 using cuda::DeviceArray;
-using cuda_custom::Rung;
+using cuda_custom::Variant;
 
-constexpr Rung kRungs[] = {Rung::one_bit_split, Rung::digit_passes, Rung::reduce_then_scan,
-                           Rung::onesweep};
+constexpr Variant kVariants[] = {Variant::one_bit_split, Variant::digit_passes,
+                                 Variant::reduce_then_scan, Variant::onesweep};
 
 class Stream {
  public:
@@ -69,12 +69,12 @@ class Case final : public GpuSortCase {
   }
 
   GpuRun run(std::size_t algorithm) override {
-    return algorithm < std::size(kRungs) ? run_rung(kRungs[algorithm]) : run_cub();
+    return algorithm < std::size(kVariants) ? run_variant(kVariants[algorithm]) : run_cub();
   }
 
  private:
-  GpuRun run_rung(Rung rung) {
-    const cuda_custom::RadixSort sort(rung, n_, bits_);
+  GpuRun run_variant(Variant variant) {
+    const cuda_custom::RadixSort sort(variant, n_, bits_);
     scratch_.allocate(sort.scratch_bytes());
     return timed([&] {
       sort.launch(front_.arrays, back_.arrays, count_.data(), scratch_.data(), stream_);

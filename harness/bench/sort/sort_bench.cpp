@@ -26,7 +26,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kSchema = 1;
+constexpr int kSchema = 2;
 constexpr int kGpuRounds = 21;
 constexpr int kExitWrongAnswer = 1;
 constexpr int kExitInterrupted = 130;

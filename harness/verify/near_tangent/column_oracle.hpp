@@ -10,7 +10,7 @@
 #include "core/host_device.hpp"
 #include "core/sphere.hpp"
 
-namespace octocell::near_ties {
+namespace octocell::near_tangent {
 
 /// A float32: significand * 2^(exponent - 149), exponent in 0..253.
 struct Parts {
@@ -87,4 +87,4 @@ OCTOCELL_HD bool overlap(const Sphere& a, const Sphere& b) {
   return excess.sign() <= 0;
 }
 
-}  // namespace octocell::near_ties
+}  // namespace octocell::near_tangent

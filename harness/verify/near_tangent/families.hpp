@@ -10,7 +10,7 @@
 #include "core/host_device.hpp"
 #include "core/sphere.hpp"
 
-namespace octocell::near_ties {
+namespace octocell::near_tangent {
 
 struct Two {
   Sphere a;
@@ -160,4 +160,4 @@ OCTOCELL_HD Two make(Family family, std::uint64_t number) {
   return decimals(mixed);
 }
 
-}  // namespace octocell::near_ties
+}  // namespace octocell::near_tangent

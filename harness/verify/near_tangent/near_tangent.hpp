@@ -9,7 +9,7 @@
 
 #include "harness/verify/near_tangent/trial.hpp"
 
-namespace octocell::near_ties {
+namespace octocell::near_tangent {
 
 /// Pairs [begin, end) of a family on the host's threads.
 Tally try_on_host(Family family, std::uint64_t begin, std::uint64_t end, int threads);
@@ -19,4 +19,4 @@ std::optional<std::string> why_no_device();
 /// The same pairs on the device.
 Tally try_on_device(Family family, std::uint64_t begin, std::uint64_t end);
 
-}  // namespace octocell::near_ties
+}  // namespace octocell::near_tangent

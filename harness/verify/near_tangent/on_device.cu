@@ -10,7 +10,7 @@
 
 #include "core/cuda/cuda.cuh"
 
-namespace octocell::near_ties {
+namespace octocell::near_tangent {
 namespace {
 
 constexpr int kThreads = 256;
@@ -39,17 +39,17 @@ Tally try_on_device(Family family, std::uint64_t begin, std::uint64_t end) {
   return sum;
 }
 
-}  // namespace octocell::near_ties
+}  // namespace octocell::near_tangent
 
 #else
 
 #include "core/error.hpp"
 
-namespace octocell::near_ties {
+namespace octocell::near_tangent {
 
 std::optional<std::string> why_no_device() { return "built without nvcc"; }
 Tally try_on_device(Family, std::uint64_t, std::uint64_t) { throw Error(*why_no_device()); }
 
-}  // namespace octocell::near_ties
+}  // namespace octocell::near_tangent
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "harness/verify/near_tangent/near_tangent.hpp"
 
-namespace octocell::near_ties {
+namespace octocell::near_tangent {
 
 Tally try_on_host(Family family, std::uint64_t begin, std::uint64_t end, int threads) {
   const auto stride = static_cast<std::uint64_t>(threads);
@@ -27,4 +27,4 @@ Tally try_on_host(Family family, std::uint64_t begin, std::uint64_t end, int thr
   return sum;
 }
 
-}  // namespace octocell::near_ties
+}  // namespace octocell::near_tangent

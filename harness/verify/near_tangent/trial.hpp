@@ -8,7 +8,7 @@
 #include "harness/verify/near_tangent/column_oracle.hpp"
 #include "harness/verify/near_tangent/families.hpp"
 
-namespace octocell::near_ties {
+namespace octocell::near_tangent {
 
 /// Of the pairs tried.
 struct Tally {
@@ -22,19 +22,19 @@ struct Tally {
 OCTOCELL_HD bool is_near_tie(const Two& two) {
   const auto& [a, b] = two;
   const exact::Float64Test<double> test(a.x, a.y, a.z, a.r, b.x, b.y, b.z, b.r);
-  return fabs(test.excess) <= 0x1p-18 * test.reach2;
+  return fabs(test.excess) <= 0x1p-18 * test.radius_sum2;
 }
 
 /// What a level says, if it is certain, is what is true.
 OCTOCELL_HD bool is_right(Verdict verdict, bool truth) {
-  return verdict == Verdict::doubt || (verdict == Verdict::overlap) == truth;
+  return verdict == Verdict::uncertain || (verdict == Verdict::overlap) == truth;
 }
 
 OCTOCELL_HD bool all_levels_are_right(const Two& two, bool truth) {
   const auto& [a, b] = two;
   const bool fast = in_fast_range(a.r) && in_fast_range(b.r);
-  return is_right(band_verdict<Band::safe>(a, b), truth) &&
-         (!fast || is_right(band_verdict<Band::fast>(a, b), truth)) &&
+  return is_right(filter_verdict<Filter::safe>(a, b), truth) &&
+         (!fast || is_right(filter_verdict<Filter::fast>(a, b), truth)) &&
          is_right(exact::float64_test(a, b), truth) && exact::integer_test(a, b) == truth;
 }
 
@@ -60,10 +60,10 @@ OCTOCELL_HD Tally try_pairs(Family family, std::uint64_t begin, std::uint64_t en
     }
     if (!is_near_tie(two)) continue;
     ++tally.near;
-    const float reach = two.a.r + two.b.r;
-    if ((band_distance2(two.a, two.b) <= reach * reach) != truth) ++tally.float32_wrong;
+    const float radius_sum = two.a.r + two.b.r;
+    if ((filter_distance2(two.a, two.b) <= radius_sum * radius_sum) != truth) ++tally.float32_wrong;
   }
   return tally;
 }
 
-}  // namespace octocell::near_ties
+}  // namespace octocell::near_tangent

@@ -17,8 +17,8 @@ inline mpz_class exactly(float value) {
 
 /// Both sides of the question, in units of 2^-149 and of 2^-298.
 struct Sides {
-  mpz_class reach;      // r_p + r_q
-  mpz_class distance2;  // |p - q|^2
+  mpz_class radius_sum;  // r_p + r_q
+  mpz_class distance2;   // |p - q|^2
 };
 
 inline Sides sides_of(const Sphere& a, const Sphere& b) {

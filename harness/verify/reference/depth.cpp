@@ -32,9 +32,10 @@ Depth exact_depth(const Sphere& a, const Sphere& b) {
   mpz_class rest;
   mpz_sqrtrem(distance.get_mpz_t(), rest.get_mpz_t(), square.get_mpz_t());
   const bool exact = rest == 0;
-  const mpz_class reach = sides.reach << kFraction;
-  if (reach <= distance) return {reach != distance || !exact, distance - reach, exact};
-  return {false, reach - distance - (exact ? 0 : 1), exact};
+  const mpz_class radius_sum = sides.radius_sum << kFraction;
+  if (radius_sum <= distance)
+    return {radius_sum != distance || !exact, distance - radius_sum, exact};
+  return {false, radius_sum - distance - (exact ? 0 : 1), exact};
 }
 
 /// Binary places below a unit in the last place of the float32 next to it.
@@ -80,11 +81,11 @@ double depth_error_ulp(float claimed, const Sphere& a, const Sphere& b) {
 }
 
 double relative_depth(const Sphere& a, const Sphere& b) {
-  const auto [reach, distance2] = sides_of(a, b);
-  const mpz_class difference = reach * reach - distance2;
+  const auto [radius_sum, distance2] = sides_of(a, b);
+  const mpz_class difference = radius_sum * radius_sum - distance2;
   if (difference == 0) return 0.0;
-  if (reach == 0) return std::numeric_limits<double>::lowest();
-  const double s = reach.get_d();
+  if (radius_sum == 0) return std::numeric_limits<double>::lowest();
+  const double s = radius_sum.get_d();
   return difference.get_d() / (s * (s + std::sqrt(distance2.get_d())));
 }
 

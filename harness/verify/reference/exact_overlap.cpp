@@ -15,7 +15,7 @@ constexpr double kUnderflowFloor = 1e-280;
 
 bool overlap_by_big_numbers(const Sphere& a, const Sphere& b) {
   const Sides sides = sides_of(a, b);
-  return sides.distance2 <= sides.reach * sides.reach;
+  return sides.distance2 <= sides.radius_sum * sides.radius_sum;
 }
 
 /// Every finite float64 is a rational number.
@@ -23,8 +23,8 @@ bool overlap_by_big_numbers(const DoubleSphere& a, const DoubleSphere& b) {
   const mpq_class dx = mpq_class(a.x) - mpq_class(b.x);
   const mpq_class dy = mpq_class(a.y) - mpq_class(b.y);
   const mpq_class dz = mpq_class(a.z) - mpq_class(b.z);
-  const mpq_class reach = mpq_class(a.r) + mpq_class(b.r);
-  return dx * dx + dy * dy + dz * dz <= reach * reach;
+  const mpq_class radius_sum = mpq_class(a.r) + mpq_class(b.r);
+  return dx * dx + dy * dy + dz * dz <= radius_sum * radius_sum;
 }
 
 template <typename SphereType>
@@ -32,12 +32,12 @@ bool decide(const SphereType& a, const SphereType& b) {
   const double dx = static_cast<double>(a.x) - static_cast<double>(b.x);
   const double dy = static_cast<double>(a.y) - static_cast<double>(b.y);
   const double dz = static_cast<double>(a.z) - static_cast<double>(b.z);
-  const double reach = static_cast<double>(a.r) + static_cast<double>(b.r);
+  const double radius_sum = static_cast<double>(a.r) + static_cast<double>(b.r);
   const double distance2 = dx * dx + dy * dy + dz * dz;
-  const double reach2 = reach * reach;
-  const bool float64_keeps_its_digits = reach2 > kUnderflowFloor && std::isfinite(reach2);
-  if (float64_keeps_its_digits && distance2 > reach2 * (1.0 + kWideMargin)) return false;
-  if (float64_keeps_its_digits && distance2 < reach2 * (1.0 - kWideMargin)) return true;
+  const double radius_sum2 = radius_sum * radius_sum;
+  const bool float64_keeps_its_digits = radius_sum2 > kUnderflowFloor && std::isfinite(radius_sum2);
+  if (float64_keeps_its_digits && distance2 > radius_sum2 * (1.0 + kWideMargin)) return false;
+  if (float64_keeps_its_digits && distance2 < radius_sum2 * (1.0 - kWideMargin)) return true;
   return overlap_by_big_numbers(a, b);
 }
 

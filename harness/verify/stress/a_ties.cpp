@@ -126,15 +126,15 @@ std::vector<Case> pythagorean(std::size_t n) {
     const auto scale = static_cast<float>(std::ldexp(1.0, exponent));
     Spheres spheres;
     for (std::size_t couple = 0; couple < n / 2; ++couple) {
-      const auto& [x, y, z, reach] = kQuadruples[random.below(kQuadruples.size())];
-      const int part = static_cast<int>(random.below(static_cast<std::size_t>(reach) + 1));
+      const auto& [x, y, z, radius_sum] = kQuadruples[random.below(kQuadruples.size())];
+      const int part = static_cast<int>(random.below(static_cast<std::size_t>(radius_sum) + 1));
       const auto at = static_cast<float>(64 * (couple % 4096));
       const auto row = static_cast<float>(64 * (couple / 4096));
       const auto scaled_by = [scale](float v) { return v * scale; };
       spheres.push_back({scaled_by(at), scaled_by(row), 0, scaled_by(static_cast<float>(part))});
       Sphere other = {scaled_by(at + static_cast<float>(x)), scaled_by(row + static_cast<float>(y)),
                       scaled_by(static_cast<float>(z)),
-                      scaled_by(static_cast<float>(reach - part))};
+                      scaled_by(static_cast<float>(radius_sum - part))};
       float* const numbers[] = {&other.x, &other.y, &other.z, &other.r};
       float& number = *numbers[random.below(4)];
       number = std::max(nudged(number, step(random, 1)), 0.0F);
@@ -169,9 +169,9 @@ std::vector<Case> near_tangent(std::size_t n) {
     const Sphere a = {static_cast<float>(row), in(random, -9, 9), in(random, -9, 9),
                       static_cast<float>(r)};
     const auto b_r = static_cast<float>(other);
-    const double reach = static_cast<double>(a.r) + b_r;
+    const double radius_sum = static_cast<double>(a.r) + b_r;
     const auto along = [&](float from, int axis) {
-      return static_cast<float>(from + reach * away[axis] / length);
+      return static_cast<float>(from + radius_sum * away[axis] / length);
     };
     spheres.push_back(a);
     spheres.push_back({along(a.x, 0), along(a.y, 1), along(a.z, 2), b_r});

@@ -76,14 +76,15 @@ Verdict compared(const Trial& trial, const Answer& answer) {
   return verdict;
 }
 
-/// As the scene is planned; and, where its lattice spares it all doubts, with them.
+/// As the scene is planned; and, where its lattice spares it all uncertain pairs, with them.
 Verdict judge_pairs(const Trial& trial) {
   Verdict verdict = compared(trial, find(trial, trial.how.backend->create, trial.options()));
   if (verdict.status == Status::exact && !trial.how.is_baseline()) {
-    PlanOptions doubting = trial.options();
-    doubting.allowed = doubting.allowed.without(Skip::doubts).without(Skip::equal_radii);
-    verdict = compared(trial, find(trial, trial.how.backend->create, doubting));
-    if (verdict.status == Status::wrong) verdict.reason += " (skips doubts, equal_radii forbidden)";
+    PlanOptions uncertain = trial.options();
+    uncertain.allowed = uncertain.allowed.without(Skip::uncertain_pairs).without(Skip::equal_radii);
+    verdict = compared(trial, find(trial, trial.how.backend->create, uncertain));
+    if (verdict.status == Status::wrong)
+      verdict.reason += " (skips uncertain pairs, equal_radii forbidden)";
   }
   if (!trial.how.has_rule() || trial.how.rule != Rule::lowest_cell) return verdict;
   for (const double side : trial.scene.cell_sides) {

@@ -22,7 +22,7 @@ struct Base {
   std::vector<Pair> pairs;
 };
 
-Spheres near_ties(std::size_t n) {
+Spheres near_tangent(std::size_t n) {
   Random random(50);
   const auto coordinate = [&] {
     const float place = static_cast<float>(step(random, 6)) * 0.7F;
@@ -40,7 +40,7 @@ Spheres near_ties(std::size_t n) {
 /// makes subnormal.
 std::vector<Base> bases(std::size_t n) {
   std::vector<Base> bases = {
-      {"near ties", near_ties(n), {}},
+      {"near-tangent pairs", near_tangent(n), {}},
       {"poly", scene("poly", n, "phi=0.3"), {}},
       {"lattice of 0.1", scene("lattice", n, "spacing=0.1"), {}},
       {"two clouds",

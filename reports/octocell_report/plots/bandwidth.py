@@ -137,7 +137,7 @@ def draw_by_size(result: Result, looks: dict[Impl, Look]) -> Figure | None:
         ax.set_visible(False)
     stages = [stage for stage in bandwidth.met(every) if stage != bandwidth.ALL]
     handles = [_handle(stage) for stage in [*stages, bandwidth.ALL]]
-    title = f"Bandwidth over the sizes of {bandwidth.SCENE}; rotated: the cache holds none of it"
+    title = f"Bandwidth over the sizes of {bandwidth.SCENE}; cold_cache: the cache holds none of it"
     _finish(figure, result, handles, every, title)
     return figure
 

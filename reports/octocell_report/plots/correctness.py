@@ -26,7 +26,11 @@ _LONG = 9  # letters
 STATES = {
     "exact": (style.EXACT_FILL, style.INK, "exact: the very same pairs as the truth"),
     "wrong": (style.VERMILLION, "white", f"wrong: {words.MINUS}missed +false ×duplicates"),
-    "exhibit": ("#fbe3c0", "#7a3a00", "exhibit: a wrong rule, kept to show what it loses"),
+    "negative_control": (
+        "#fbe3c0",
+        "#7a3a00",
+        "negative control: a wrong rule, kept to show what it loses",
+    ),
     "skipped": ("#e4e6e9", "#4b535b", "skipped"),
     "unavailable": ("#f4f5f6", "#4b535b", "scene not there"),
     "absent": ("white", style.INK, "not in this run"),

@@ -6,17 +6,17 @@ from __future__ import annotations
 from matplotlib.figure import Figure
 
 from octocell_report.error import Point, Study
-from octocell_report.plots import mirror
-from octocell_report.plots.mirror import Mirror, Side
+from octocell_report.plots import butterfly
+from octocell_report.plots.butterfly import Butterfly, Side
 
 TIE = 1e-9  # what is nearer to touching than float32 can tell is drawn here, ties among it
 FAR = 10.0  # and what is wider than this; radii of 0 have any gap
 
 
 def draw(study: Study) -> Figure | None:
-    return mirror.draw(
+    return butterfly.draw(
         study,
-        Mirror(
+        Butterfly(
             title="How bad the worst pair is: deepest overlap lost, widest gap invented",
             up=Side(_depth, "deepest pair lost / (rᵢ + rⱼ)"),
             down=Side(_gap, "widest gap invented / (rᵢ + rⱼ)"),

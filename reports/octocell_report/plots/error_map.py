@@ -46,8 +46,8 @@ def draw(study: Study) -> Figure | None:
     )
     figure.legend(
         handles=[
-            Patch(facecolor=style.EXACT_FILL, label="exact, as promised"),
-            Patch(facecolor=style.NO_ERROR_FILL, label="0: no error here, though none is promised"),
+            Patch(facecolor=style.EXACT_FILL, label="exact, as claimed"),
+            Patch(facecolor=style.NO_ERROR_FILL, label="0: no error here, though none is claimed"),
             Patch(facecolor="white", edgecolor=style.GRID, label="empty: not run"),
         ],
         loc="outside lower left",
@@ -78,9 +78,9 @@ def _cell(ax: Axes, x: int, y: float, point: Point | None, norm: Normalize) -> N
         )
         return
     fill = style.NO_ERROR_FILL if point.errors == 0 else to_hex(COLOURS(norm(_height(point))))
-    if point.errors == 0 and point.promised:
+    if point.errors == 0 and point.claimed:
         fill = style.EXACT_FILL
-    broken = point.errors > 0 and point.promised and point.series.predicate is not None
+    broken = point.errors > 0 and point.claimed and point.series.predicate is not None
     if broken:
         box = {"edgecolor": style.BLACK, "linewidth": 2.2, "zorder": 3}
     ax.add_patch(Rectangle((x, y), 1, 1, facecolor=fill, **box))
@@ -91,7 +91,7 @@ def _cell(ax: Axes, x: int, y: float, point: Point | None, norm: Normalize) -> N
 
 def text_of(point: Point) -> str:
     if point.errors == 0:
-        return "exact" if point.promised else "0"
+        return "exact" if point.claimed else "0"
     parts = ((words.MINUS, point.missed), ("+", point.false))
     return " ".join(sign + words.rate(point.rate(count)) for sign, count in parts if count)
 

@@ -7,14 +7,14 @@ from matplotlib.figure import Figure
 
 from octocell_report import words
 from octocell_report.error import Point, Study
-from octocell_report.plots import mirror
-from octocell_report.plots.mirror import Mirror, Side
+from octocell_report.plots import butterfly
+from octocell_report.plots.butterfly import Butterfly, Side
 
 
 def draw(study: Study) -> Figure | None:
-    return mirror.draw(
+    return butterfly.draw(
         study,
-        Mirror(
+        Butterfly(
             title="Run time against error: what a simpler overlap test saves, and gets wrong",
             up=Side(_missed, "LOST, per million true pairs"),
             down=Side(_false, "INVENTED, per million true pairs"),

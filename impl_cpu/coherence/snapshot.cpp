@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "impl_cpu/coherence/kept_copy.hpp"
+#include "impl_cpu/coherence/snapshot.hpp"
 #include "core/faults.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr std::uint64_t kSpheresPerBlock = block_size(4096, 16);
 
 }  // namespace
 
-void KeptCopy::keep(SceneView scene, Threads& threads) {
+void Snapshot::keep(SceneView scene, Threads& threads) {
   const Sphere* const spheres = scene.spheres.data();
   threads.for_blocks(
       scene.spheres.size(), kSpheresPerBlock, [&](std::uint64_t begin, std::uint64_t end) {
@@ -27,11 +27,11 @@ void KeptCopy::keep(SceneView scene, Threads& threads) {
   is_kept_ = true;
 }
 
-void KeptCopy::keep(SceneView scene, std::span<const std::uint32_t> changed) {
+void Snapshot::keep(SceneView scene, std::span<const std::uint32_t> changed) {
   for (const std::uint32_t i : changed) copy_[i] = scene.spheres[i];
 }
 
-void KeptCopy::list_changed(SceneView scene, Threads& threads, std::uint64_t most,
+void Snapshot::list_changed(SceneView scene, Threads& threads, std::uint64_t most,
                             SharedList<std::uint32_t>& changed) const {
   changed.clear();
   const Sphere* const spheres = scene.spheres.data();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "impl_cpu/coherence/near_pairs.hpp"
+#include "impl_cpu/coherence/neighbor_list.hpp"
 #include "core/faults.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 constexpr std::uint64_t kSpheresPerBlock = block_size(1 << 13, 16);
 constexpr std::uint64_t kPairsPerBlock = block_size(1 << 12, 8);
 constexpr std::uint64_t kPrefetchAhead = 128;
-constexpr std::uint64_t kMostPerPair = 2;  // near pairs, for each pair that there is room for
+constexpr std::uint64_t kMostPerPair = 2;  // neighbor pairs, for each pair that there is room for
 
 bool same_radius(const Sphere& a, const Sphere& b) {
   return std::bit_cast<std::uint32_t>(a.r) == std::bit_cast<std::uint32_t>(b.r);
@@ -50,7 +50,7 @@ bool steps_keep_facts(const Workspace& w, float step) {
 
 }  // namespace
 
-void NearPairs::allocate(const Workspace& whole) {
+void NeighborList::allocate(const Workspace& whole) {
   const std::uint64_t count = whole.scene.spheres.size();
   const SkinCells& cells = whole.plan.skin;
   are_known_ = false;
@@ -61,15 +61,16 @@ void NearPairs::allocate(const Workspace& whole) {
   grown_.plan = whole.plan;
   grown_.plan.levels = cells.levels;
   grown_.plan.key_bits = cells.key_bits;
-  grown_.plan.test = PairTest::band_safe;  // grown radii may leave the range that the plan has seen
+  grown_.plan.test =
+      PairTest::filter_safe;  // grown radii may leave the range that the plan has seen
   const std::uint64_t pairs = whole.plan.capacity.pairs;
-  grown_.plan.capacity = {.ids = count, .doubts = pairs, .pairs = kMostPerPair * pairs};
+  grown_.plan.capacity = {.ids = count, .uncertain_pairs = pairs, .pairs = kMostPerPair * pairs};
   grown_.scene.spheres = {spheres_.data(), count};
   grown_.threads = whole.threads;
   grown_.allocate();
 }
 
-void NearPairs::grow(const Workspace& whole, float half_skin) {
+void NeighborList::grow(const Workspace& whole, float half_skin) {
   const std::span<const Sphere> spheres = whole.scene.spheres;
   const std::span<const Flags> flags = whole.scene.flags;
   are_known_ = false;
@@ -87,11 +88,11 @@ void NearPairs::grow(const Workspace& whole, float half_skin) {
   grown_.candidates = 0;
 }
 
-bool NearPairs::find(Workspace& whole) {
+bool NeighborList::find(Workspace& whole) {
   grown_.ordered.sphere = places_.data();
   put_flags_in_order(whole.scene.flags);
   cpu::pair_tests(grown_);
-  const bool complete = grown_.pairs.complete() && grown_.doubts.complete();
+  const bool complete = grown_.pairs.complete() && grown_.uncertain_pairs.complete();
   are_known_ = complete && grown_.candidates + size() <= whole.plan.candidate_limit;
   if (!are_known_) return false;
   fetch_then(whole);
@@ -101,7 +102,7 @@ bool NearPairs::find(Workspace& whole) {
 }
 
 /// Pairs that may not collide are not worth a look in every frame.
-void NearPairs::put_flags_in_order(std::span<const Flags> flags) {
+void NeighborList::put_flags_in_order(std::span<const Flags> flags) {
   flags_.resize(flags.size());
   for (std::size_t k = 0; k < flags.size(); ++k) flags_[k] = flags[order()[k]];
   grown_.scene.flags = flags_;
@@ -110,7 +111,7 @@ void NearPairs::put_flags_in_order(std::span<const Flags> flags) {
   for (const std::uint32_t k : movable_) movable_ids_.push_back(order()[k]);
 }
 
-void NearPairs::fetch_then(const Workspace& whole) {
+void NeighborList::fetch_then(const Workspace& whole) {
   const Sphere* const spheres = whole.scene.spheres.data();
   const std::uint64_t last = whole.scene.spheres.size() - 1;
   whole.threads->for_blocks(
@@ -125,7 +126,7 @@ void NearPairs::fetch_then(const Workspace& whole) {
 }
 
 /// Asked of the predicate itself: is the point within the ball of half the skin?
-bool NearPairs::is_within_reach(const Sphere& then, const Sphere& now) const {
+bool NeighborList::is_within_skin(const Sphere& then, const Sphere& now) const {
   return same_radius(then, now) && std::isfinite(now.x + now.y + now.z) &&
          overlap_exact({then.x, then.y, then.z, half_skin_}, {now.x, now.y, now.z, 0.0F});
 }
@@ -133,14 +134,14 @@ bool NearPairs::is_within_reach(const Sphere& then, const Sphere& now) const {
 /// Float32 is certain of nearly all; the others are asked for one by one.
 /// `places[n]`: the place in the order of the n-th that may move.
 template <typename Places>
-bool NearPairs::fetch(const Workspace& whole, const Places& places, std::uint64_t begin,
-                      std::uint64_t end) {
+bool NeighborList::fetch(const Workspace& whole, const Places& places, std::uint64_t begin,
+                         std::uint64_t end) {
   const Sphere* const spheres = whole.scene.spheres.data();
   const Object* const ids = some_are_static() ? movable_ids_.data() : order();
   const std::uint64_t last = places.size() - 1;
-  const float ball = band_radius<Band::safe>(
+  const float ball = filter_radius<Filter::safe>(
       OCTOCELL_FAULT(frame_skin_twice_too_wide, 2.0F * half_skin_, half_skin_));
-  const float point = band_radius<Band::safe>(0.0F);
+  const float point = filter_radius<Filter::safe>(0.0F);
   bool sure = true;
   for (std::uint64_t n = begin; n < end; ++n) {
     const std::uint64_t ahead = std::min(n + kPrefetchAhead, last);
@@ -150,21 +151,21 @@ bool NearPairs::fetch(const Workspace& whole, const Places& places, std::uint64_
     const Sphere& t = then_[n];
     now_[places[n]] = s;
     sure &= same_radius(s, t);
-    sure &= band_is_sure<Band::safe>({t.x, t.y, t.z, ball}, {s.x, s.y, s.z, point});
+    sure &= filter_is_sure<Filter::safe>({t.x, t.y, t.z, ball}, {s.x, s.y, s.z, point});
   }
   for (std::uint64_t n = begin; !sure && n < end; ++n) {
-    if (!is_within_reach(then_[n], now_[places[n]])) return false;
+    if (!is_within_skin(then_[n], now_[places[n]])) return false;
   }
   return true;
 }
 
-bool NearPairs::still_hold(const Workspace& whole) {
+bool NeighborList::still_hold(const Workspace& whole) {
   if (!some_are_static()) return movable_are_near(whole, AllPlaces{whole.scene.spheres.size()});
   return statics_stand(whole) && movable_are_near(whole, std::span(movable_));
 }
 
 /// As they come: they need not be put in order, as then_ and now_ have them.
-bool NearPairs::statics_stand(const Workspace& whole) const {
+bool NeighborList::statics_stand(const Workspace& whole) const {
   const Sphere* const spheres = whole.scene.spheres.data();
   const Flags* const flags = whole.scene.flags.data();
   const auto stand = [&](std::uint64_t begin, std::uint64_t end) {
@@ -180,7 +181,7 @@ bool NearPairs::statics_stand(const Workspace& whole) const {
 }
 
 template <typename Places>
-bool NearPairs::movable_are_near(const Workspace& whole, const Places& places) {
+bool NeighborList::movable_are_near(const Workspace& whole, const Places& places) {
   return whole.threads->for_all_blocks(
       places.size(), kSpheresPerBlock,
       [&](std::uint64_t begin, std::uint64_t end) { return fetch(whole, places, begin, end); });
@@ -188,7 +189,7 @@ bool NearPairs::movable_are_near(const Workspace& whole, const Places& places) {
 
 /// Whether a near pair overlaps is anybody's guess, so candidates are picked without a branch.
 template <PairTest test>
-void NearPairs::decide_block(Workspace& whole, std::span<const Pair> near) const {
+void NeighborList::decide_block(Workspace& whole, std::span<const Pair> near) const {
   std::array<std::uint32_t, kPairsPerBlock> picked;
   std::size_t count = 0;
   for (std::uint32_t k = 0; k < near.size(); ++k) {
@@ -209,8 +210,8 @@ void NearPairs::decide_block(Workspace& whole, std::span<const Pair> near) const
 }
 
 template <PairTest test>
-void NearPairs::decide_all(Workspace& whole) const {
-  const std::span<const Pair> lists[] = {grown_.pairs.items(), grown_.doubts.items()};
+void NeighborList::decide_all(Workspace& whole) const {
+  const std::span<const Pair> lists[] = {grown_.pairs.items(), grown_.uncertain_pairs.items()};
   for (const std::span<const Pair> near : lists) {
     whole.threads->for_blocks(near.size(), kPairsPerBlock,
                               [&](std::uint64_t begin, std::uint64_t end) {
@@ -219,11 +220,11 @@ void NearPairs::decide_all(Workspace& whole) const {
   }
 }
 
-void NearPairs::decide(Workspace& whole) const {
+void NeighborList::decide(Workspace& whole) const {
   whole.pairs.clear(false);
-  whole.doubts.clear();
+  whole.uncertain_pairs.clear();
   whole.candidates = size();
-  with_band_test(whole.plan.test, [&]<PairTest test>() { decide_all<test>(whole); });
+  with_filter_test(whole.plan.test, [&]<PairTest test>() { decide_all<test>(whole); });
 }
 
 }  // namespace octocell::cpu::coherence

@@ -11,7 +11,7 @@
 #include "harness/verify/near_tangent/near_tangent.hpp"
 #include "harness/verify/reference/reference.hpp"
 
-namespace octocell::near_ties {
+namespace octocell::near_tangent {
 namespace {
 
 class Families : public testing::TestWithParam<std::size_t> {
@@ -32,7 +32,7 @@ TEST_P(Families, AreJudgedAlikeByBothOracles) {
   EXPECT_LT(overlaps, kPairs - kPairs / 10);
 }
 
-TEST_P(Families, AreNearTiesThatFloat32IsOftenWrongAbout) {
+TEST_P(Families, AreNearTangentThatFloat32IsOftenWrongAbout) {
   const Tally tally = try_on_host(family(), 0, 100'000, 2);
   EXPECT_EQ(tally.tried, 100'000U);
   EXPECT_GT(tally.near, tally.tried / 20);
@@ -112,4 +112,4 @@ TEST(ColumnOracle, CarriesAndBorrowsThroughAllColumns) {
 }
 
 }  // namespace
-}  // namespace octocell::near_ties
+}  // namespace octocell::near_tangent

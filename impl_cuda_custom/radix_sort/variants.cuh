@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each rung's file offers to radix_sort.cu.
+// What each variant's file offers to radix_sort.cu.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """What was done to find a wrong answer, as files in the folders of results: read and checked.
 
-A kind of file is known by its name: near_ties.json, near_ties_gpu.json are both near ties. It lies
-in the folder given or in one below it, which is named after the machine.
+A file's name says its kind: near_tangent.json and near_tangent_gpu.json both hold near-tangent pairs. It
+lies in the folder given, or in one below it that is named after the machine.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class Source:
 
 
 @dataclass(frozen=True)
-class NearTies:
+class NearTangent:
     """Pairs within 64 units of rounding of touching, decided and held against integers."""
 
     source: Source
@@ -129,8 +129,8 @@ class Tool:
 
 
 @dataclass
-class Evidence:
-    near_ties: list[NearTies] = field(default_factory=list)
+class Verification:
+    near_tangent: list[NearTangent] = field(default_factory=list)
     stress: list[StressRow] = field(default_factory=list)
     compilers: list[Matrix] = field(default_factory=list)
     fuzz: list[Target] = field(default_factory=list)
@@ -138,9 +138,9 @@ class Evidence:
     sanitizers: list[Tool] = field(default_factory=list)
 
 
-def read(folders: Iterable[Path]) -> Evidence:
+def read(folders: Iterable[Path]) -> Verification:
     """Everything found there; an absent kind is an empty list. Throws ReportError on a bad file."""
-    found = Evidence()
+    found = Verification()
     for folder in folders:
         if not folder.is_dir():
             raise ReportError(f"{folder}: is not a folder of results")
@@ -184,14 +184,14 @@ def _items(document: Fields, key: str, make: Callable[[Fields], _Item]) -> list[
     return found
 
 
-def _near_ties(document: Fields, source: Source) -> list[NearTies]:
+def _near_tangent(document: Fields, source: Source) -> list[NearTangent]:
     where = document.take("where", one_of(*SIDES))
 
-    def make(item: Fields) -> NearTies:
+    def make(item: Fields) -> NearTangent:
         pairs, wrong = item.take("pairs", is_whole), item.take("mismatches", is_whole)
         if wrong > pairs:
             raise ReportError(f"{item.title}: more mismatches than pairs")
-        return NearTies(source, where, item.take("name", is_filled), pairs, wrong)
+        return NearTangent(source, where, item.take("name", is_filled), pairs, wrong)
 
     return _items(document, "families", make)
 
@@ -265,7 +265,7 @@ def _sanitizers(document: Fields, source: Source) -> list[Tool]:
 
 
 _READERS: dict[str, Callable[[Fields, Source], list[Any]]] = {
-    "near_ties": _near_ties,
+    "near_tangent": _near_tangent,
     "stress": _stress,
     "compilers": _compilers,
     "fuzz": _fuzz,

@@ -45,7 +45,7 @@ class Side:
 
 
 @dataclass(frozen=True)
-class Mirror:
+class Butterfly:
     title: str
     up: Side
     down: Side
@@ -57,9 +57,9 @@ class Mirror:
         return min(max(value, self.floor), self.ceiling)
 
 
-def draw(study: Study, mirror: Mirror) -> Figure | None:
+def draw(study: Study, butterfly: Butterfly) -> Figure | None:
     """None where nothing has an error that could be shown."""
-    limits = _limits(study, mirror)
+    limits = _limits(study, butterfly)
     if limits is None:
         return None
     lanes = _lanes(study)
@@ -83,10 +83,10 @@ def draw(study: Study, mirror: Mirror) -> Figure | None:
             "wspace": 0.06,
         },
     )
-    _scales(study, axes, limits, mirror, lanes)
+    _scales(study, axes, limits, butterfly, lanes)
     for column, name in enumerate(study.classes):
-        _Facet(figure, study, name, list(axes[:, column]), mirror, lanes).draw()
-    key.draw(figure, study, mirror.title, Frame(*size, _LEFT, _BOTTOM))
+        _Facet(figure, study, name, list(axes[:, column]), butterfly, lanes).draw()
+    key.draw(figure, study, butterfly.title, Frame(*size, _LEFT, _BOTTOM))
     return figure
 
 
@@ -96,11 +96,11 @@ def _lanes(study: Study) -> list[str]:
     return [s for s in dict.fromkeys(series.lane for series in study.series) if s in met]
 
 
-def _limits(study: Study, mirror: Mirror) -> tuple[float, float] | None:
+def _limits(study: Study, butterfly: Butterfly) -> tuple[float, float] | None:
     values = [
-        mirror.height(value)
+        butterfly.height(value)
         for point in study.points
-        for side in (mirror.up, mirror.down)
+        for side in (butterfly.up, butterfly.down)
         if (value := side.measure(point)) is not None
     ]
     if not values:
@@ -116,7 +116,7 @@ def _short_tick(value: float, _: object = None) -> str:
 
 
 def _scales(
-    study: Study, axes: Any, limits: tuple[float, float], mirror: Mirror, lanes: list[str]
+    study: Study, axes: Any, limits: tuple[float, float], butterfly: Butterfly, lanes: list[str]
 ) -> None:
     every = [point.ns for point in study.points]
     low, high = (math.log10(limit) for limit in limits)
@@ -126,7 +126,7 @@ def _scales(
         ax.set_yscale("log")
         ax.yaxis.set_major_locator(FixedLocator(ticks))
         ax.yaxis.set_minor_locator(NullLocator())
-        ax.yaxis.set_major_formatter(FuncFormatter(lambda y, _: mirror.tick(y)))
+        ax.yaxis.set_major_formatter(FuncFormatter(lambda y, _: butterfly.tick(y)))
     for ax in axes[0]:  # above it the fronts' labels
         ax.set_ylim(limits[0], limits[1] * (limits[1] / limits[0]) ** 0.3)
     for ax in axes[2]:
@@ -148,8 +148,8 @@ def _scales(
     for tick, lane in zip(axes[1, 0].get_yticklabels(), lanes, strict=True):
         tick.set_color(style.dark(style.predicate_colour(lane)))
         tick.set_fontweight("bold" if lane == EXACT else "normal")
-    axes[0, 0].set_ylabel(mirror.up.label)
-    axes[2, 0].set_ylabel(mirror.down.label)
+    axes[0, 0].set_ylabel(butterfly.up.label)
+    axes[2, 0].set_ylabel(butterfly.down.label)
 
 
 class _Facet:
@@ -161,14 +161,14 @@ class _Facet:
         study: Study,
         name: str,
         axes: list[Axes],
-        mirror: Mirror,
+        butterfly: Butterfly,
         lanes: list[str],
     ) -> None:
-        self.figure, self.study, self.name, self.mirror, self.lanes = (
+        self.figure, self.study, self.name, self.butterfly, self.lanes = (
             figure,
             study,
             name,
-            mirror,
+            butterfly,
             lanes,
         )
         self.up, self.strip, self.down = axes
@@ -184,8 +184,8 @@ class _Facet:
         self.up.annotate(scenes, (0, 1), **look)
         self._zero()
         fronts = self._fronts()
-        self._panel(self.up, self.mirror.up, fronts)
-        self._panel(self.down, self.mirror.down, [])
+        self._panel(self.up, self.butterfly.up, fronts)
+        self._panel(self.down, self.butterfly.down, [])
 
     def _zero(self) -> None:
         """The strip: pale where a scene has no error, bold where none of the class has."""
@@ -272,7 +272,7 @@ class _Facet:
         """Every scene pale; bold the worst error, at the median time, and where that is: times of
         single scenes differ by more than tests do."""
         found = [
-            (self.mirror.height(value), point.ns)
+            (self.butterfly.height(value), point.ns)
             for point in summary.points
             if (value := measure(point)) is not None
         ]

@@ -12,7 +12,7 @@ namespace octocell::cpu::coherence {
 
 /// The spheres whose pairs are stored, byte for byte: equal bytes have equal pairs. (A hash would
 /// take less room and prove nothing.)
-class KeptCopy {
+class Snapshot {
  public:
   void allocate(std::uint64_t sphere_count) {
     copy_.allocate(sphere_count);

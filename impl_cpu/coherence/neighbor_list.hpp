@@ -9,12 +9,12 @@
 
 namespace octocell::cpu::coherence {
 
-/// A list of near pairs (Verlet 1967, Computer "experiments" on classical fluids): those that would
+/// A neighbor list (Verlet 1967, Computer "experiments" on classical fluids): those that would
 /// overlap if every radius were larger by h, half of the skin. As long as no sphere is further than
 /// h from where it was then, and no radius has changed, pairs that overlap are among them:
 /// |p - q| <= r + r' now implies |p - q| <= (r + h) + (r' + h) then.
 /// Static spheres are expected to stand: theirs do not grow, and not a bit of them may change.
-class NearPairs {
+class NeighborList {
  public:
   void allocate(const Workspace& whole);
   [[nodiscard]] bool are_known() const { return are_known_; }
@@ -32,11 +32,11 @@ class NearPairs {
   /// Stage 1, of later frames: fetches what has moved, and proves that the list still holds.
   bool still_hold(const Workspace& whole);
 
-  /// Stage 5: which near pairs overlap now?
+  /// Stage 5: which neighbor pairs overlap now?
   void decide(Workspace& whole) const;
 
  private:
-  [[nodiscard]] bool is_within_reach(const Sphere& then, const Sphere& now) const;
+  [[nodiscard]] bool is_within_skin(const Sphere& then, const Sphere& now) const;
   void put_flags_in_order(std::span<const Flags> flags);
   void fetch_then(const Workspace& whole);
   [[nodiscard]] bool statics_stand(const Workspace& whole) const;
@@ -50,7 +50,9 @@ class NearPairs {
   void decide_all(Workspace& whole) const;
   [[nodiscard]] const Object* order() const { return grown_.ids[grown_.current].objects.data(); }
   [[nodiscard]] bool some_are_static() const { return movable_.size() < flags_.size(); }
-  [[nodiscard]] std::uint64_t size() const { return grown_.pairs.size() + grown_.doubts.size(); }
+  [[nodiscard]] std::uint64_t size() const {
+    return grown_.pairs.size() + grown_.uncertain_pairs.size();
+  }
 
   bool are_known_ = false;
   bool imply_facts_ = false;

@@ -21,17 +21,18 @@
 namespace octocell::cli {
 namespace {
 
-using near_ties::Family;
-using near_ties::Tally;
+using near_tangent::Family;
+using near_tangent::Tally;
 
 struct Options {
-  double pairs = 1e6;  // near ties of each family
+  double pairs = 1e6;  // near-tangent pairs of each family
   bool device = false;
   int threads = 0;
   std::string output;
 };
 
-/// Pairs are tried until so many were near ties; parts are so large that a device is kept busy.
+/// Pairs are tried until so many were near-tangent pairs; parts are so large that a device is kept
+/// busy.
 Tally try_family(Family family, const Options& options) {
   constexpr std::uint64_t kPart = 1 << 26;
   constexpr double kMostTriedPerNear = 100.0;
@@ -39,12 +40,12 @@ Tally try_family(Family family, const Options& options) {
   const std::uint64_t part = std::min(kPart, wanted + 1024);
   Tally sum;
   for (std::uint64_t begin = 0; sum.near < wanted; begin += part) {
-    near_ties::add(sum, options.device
-                            ? near_ties::try_on_device(family, begin, begin + part)
-                            : near_ties::try_on_host(family, begin, begin + part, options.threads));
+    near_tangent::add(sum, options.device ? near_tangent::try_on_device(family, begin, begin + part)
+                                          : near_tangent::try_on_host(family, begin, begin + part,
+                                                                      options.threads));
     if (static_cast<double>(begin) > kMostTriedPerNear * options.pairs) {
-      throw Error(fmt::format("family {} makes too few near ties",
-                              near_ties::kFamilyNames[static_cast<std::size_t>(family)]));
+      throw Error(fmt::format("family {} makes too few near-tangent pairs",
+                              near_tangent::kFamilyNames[static_cast<std::size_t>(family)]));
     }
   }
   return sum;
@@ -56,7 +57,7 @@ int run(Options options) {
   }
   options.threads = thread_count(options.threads);
   if (options.device) {
-    if (const auto reason = near_ties::why_no_device()) {
+    if (const auto reason = near_tangent::why_no_device()) {
       throw LimitError("no device to run on: " + *reason);
     }
   }
@@ -68,24 +69,25 @@ int run(Options options) {
   }
   nlohmann::ordered_json families = nlohmann::ordered_json::array();
   std::uint64_t mismatches = 0;
-  fmt::print("{:<10} {:>14} {:>14} {:>11} {:>14}\n", "", "tried", "near ties", "mismatches",
+  fmt::print("{:<10} {:>14} {:>14} {:>11} {:>14}\n", "", "tried", "near-tangent", "mismatches",
              "float32 wrong");
-  for (std::size_t f = 0; f < near_ties::kFamilyNames.size(); ++f) {
+  for (std::size_t f = 0; f < near_tangent::kFamilyNames.size(); ++f) {
     const Tally tally = try_family(static_cast<Family>(f), options);
     mismatches += tally.mismatches;
-    fmt::print("{:<10} {:>14} {:>14} {:>11} {:>14}  {}\n", near_ties::kFamilyNames[f], tally.tried,
-               tally.near, tally.mismatches, tally.float32_wrong, near_ties::kFamilyWords[f]);
+    fmt::print("{:<10} {:>14} {:>14} {:>11} {:>14}  {}\n", near_tangent::kFamilyNames[f],
+               tally.tried, tally.near, tally.mismatches, tally.float32_wrong,
+               near_tangent::kFamilyWords[f]);
     if (tally.mismatches != 0) fmt::print("           the first is pair {}\n", tally.first_wrong);
     std::fflush(stdout);
-    families.push_back({{"name", near_ties::kFamilyNames[f]},
-                        {"asks", near_ties::kFamilyWords[f]},
+    families.push_back({{"name", near_tangent::kFamilyNames[f]},
+                        {"asks", near_tangent::kFamilyWords[f]},
                         {"tried", tally.tried},
                         {"pairs", tally.near},
                         {"mismatches", tally.mismatches},
                         {"float32_wrong", tally.float32_wrong}});
   }
   if (file) {
-    file->write({{"schema", 1},
+    file->write({{"schema", 2},
                  {"context", bench::describe_build_and_machine()},
                  {"where", options.device ? "GPU" : "CPU"},
                  {"families", families}});
@@ -95,11 +97,11 @@ int run(Options options) {
 
 }  // namespace
 
-void add_near_ties(CLI::App& app, Command& command) {
+void add_near_tangent(CLI::App& app, Command& command) {
   auto o = std::make_shared<Options>();
   CLI::App* sub = app.add_subcommand(
-      "near-ties", "Try the exact test on pairs that nearly touch, against integers");
-  sub->add_option("--pairs", o->pairs, "Near ties of each family to try (default 1e6)");
+      "near-tangent", "Try the exact test on pairs that nearly touch, against integers");
+  sub->add_option("--pairs", o->pairs, "Near-tangent pairs of each family to try (default 1e6)");
   sub->add_flag("--device", o->device, "On the GPU");
   sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
   sub->add_option("-o,--output", o->output, "Write JSON");

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""octocell near-ties: the predicate against integers, on pairs that nearly touch."""
+"""octocell near-tangent: the predicate against integers, on pairs that nearly touch."""
 
 from pathlib import Path
 
@@ -8,9 +8,9 @@ from program import Octocell, load
 FAMILIES = ["tangent", "offset", "exponents", "lattice", "wide", "decimals"]
 
 
-def test_counts_near_ties_of_every_family(octocell: Octocell, tmp_path: Path) -> None:
-    octocell.ok("near-ties", "--pairs", "2000", "-o", tmp_path / "near_ties.json")
-    document = load(tmp_path / "near_ties.json")
+def test_counts_near_tangent_of_every_family(octocell: Octocell, tmp_path: Path) -> None:
+    octocell.ok("near-tangent", "--pairs", "2000", "-o", tmp_path / "near_tangent.json")
+    document = load(tmp_path / "near_tangent.json")
     assert document["where"] == "CPU" and "commit" in document["context"]
     assert [family["name"] for family in document["families"]] == FAMILIES
     for family in document["families"]:
@@ -21,5 +21,5 @@ def test_counts_near_ties_of_every_family(octocell: Octocell, tmp_path: Path) ->
 
 def test_refuses_what_makes_no_sense(octocell: Octocell, tmp_path: Path) -> None:
     for arguments in (["--pairs", "0"], ["--pairs", "nan"], ["-o", tmp_path]):
-        result = octocell.run("near-ties", *arguments)
+        result = octocell.run("near-tangent", *arguments)
         assert result.rc == 2 and result.stderr.count("\n") == 1, result.stderr

@@ -14,14 +14,14 @@ ENDINGS = ("exact", "skipped", "refused", "late", "crashed", "wrong")
 
 
 def document(kind: str, **content: Any) -> Json:
-    return {"schema": 1, "kind": kind, "context": synthetic.context()} | content
+    return {"schema": 2, "kind": kind, "context": synthetic.context()} | content
 
 
-def near_ties(where: str = "CPU", **pairs: tuple[int, int]) -> Json:
+def near_tangent(where: str = "CPU", **pairs: tuple[int, int]) -> Json:
     """By family: (pairs, mismatches)."""
     known = pairs or {"lattice": (1_000_000_000, 0), "quadruples": (250_000_000, 0)}
     families = [{"name": n, "pairs": p, "mismatches": m} for n, (p, m) in known.items()]
-    return document("near_ties", where=where, families=families)
+    return document("near_tangent", where=where, families=families)
 
 
 def stress_row(
@@ -98,8 +98,8 @@ def save(folder: Path, **documents: Json) -> Path:
 def save_all(folder: Path) -> Path:
     return save(
         folder,
-        near_ties=near_ties(),
-        near_ties_gpu=near_ties("GPU", lattice=(12_000_000_000, 0)),
+        near_tangent=near_tangent(),
+        near_tangent_gpu=near_tangent("GPU", lattice=(12_000_000_000, 0)),
         stress=stress(),
         compilers=compilers(),
         fuzz=fuzz(),

@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""What was tried to break the promise: read from folders, checked, and told as tables."""
+"""What was tried to break the guarantee: read from folders, checked, and told as tables."""
 
 from __future__ import annotations
 
 import pytest
 
-from octocell_report import evidence, readme, readme_promise
+from octocell_report import readme, readme_guarantee, verification
 from octocell_report.cli import main
 from octocell_report.fields import ReportError
 
-import synthetic_promise
-from synthetic_promise import fault, save, stress_row
+import synthetic_guarantee
+from synthetic_guarantee import fault, save, stress_row
 
-MARKED = """<!-- octocell:promise -->
-<!-- /octocell:promise -->
+MARKED = """<!-- octocell:guarantee -->
+<!-- /octocell:guarantee -->
 """
 
 
@@ -23,19 +23,27 @@ def lines_of(block):
     return {line[0]: line[1:] for line in cells}
 
 
-def told(folder, block="promise"):
-    return lines_of(readme_promise.BLOCKS[block](evidence.read([folder])))
+def told(folder, block="guarantee"):
+    return lines_of(readme_guarantee.BLOCKS[block](verification.read([folder])))
 
 
 def test_the_table_adds_up_what_the_files_hold(tmp_path):
-    lines = told(synthetic_promise.save_all(tmp_path))
+    lines = told(synthetic_guarantee.save_all(tmp_path))
     thin = "\u202f"
     assert lines == {
         "": ["Octocell", "FCL", "Bullet"],
         "---": ["---:"] * 3,
-        "near ties decided, CPU": [f"1{thin}250{thin}000{thin}000 in 2 families", "–", "–"],
+        "near-tangent pairs decided, CPU": [
+            f"1{thin}250{thin}000{thin}000 in 2 families",
+            "–",
+            "–",
+        ],
         "– of these wrong": ["0 (rate below 2.5 · 10⁻¹⁰)", "–", "–"],
-        "near ties decided, GPU": [f"12{thin}000{thin}000{thin}000 in 1 families", "–", "–"],
+        "near-tangent pairs decided, GPU": [
+            f"12{thin}000{thin}000{thin}000 in 1 families",
+            "–",
+            "–",
+        ],
         "stress catalogue (2 families, 3 entries): answers": [
             "6 by 2 implementations",
             "4 by 1 implementations",
@@ -53,46 +61,46 @@ def test_the_table_adds_up_what_the_files_hold(tmp_path):
 
 
 def test_what_is_absent_was_not_run(tmp_path):
-    found = evidence.read([save(tmp_path)])
-    lines = lines_of(readme_promise.promise(found))
+    found = verification.read([save(tmp_path)])
+    lines = lines_of(readme_guarantee.guarantee(found))
     ours = {cells[0] for title, cells in lines.items() if title not in ("", "---")}
     assert ours == {"not run"}
-    for name, block in readme_promise.BLOCKS.items():
-        if name != "promise":
+    for name, block in readme_guarantee.BLOCKS.items():
+        if name != "guarantee":
             assert block(found) == "Not run yet."
 
 
 @pytest.mark.parametrize(
     ("kind", "made", "title", "cell"),
     [
-        ("near_ties", synthetic_promise.near_ties(a=(10, 3)), "– of these wrong", "**3**"),
-        ("fuzz", synthetic_promise.fuzz(1), "inputs made by fuzzers", "failures: **1**"),
-        ("sanitizers", synthetic_promise.sanitizers(2), "reports of sanitizers", "**2** in 413"),
+        ("near_tangent", synthetic_guarantee.near_tangent(a=(10, 3)), "– of these wrong", "**3**"),
+        ("fuzz", synthetic_guarantee.fuzz(1), "inputs made by fuzzers", "failures: **1**"),
+        ("sanitizers", synthetic_guarantee.sanitizers(2), "reports of sanitizers", "**2** in 413"),
         (
             "compilers",
-            synthetic_promise.compilers(failures=["g++ -O0: gas differs"]),
+            synthetic_guarantee.compilers(failures=["g++ -O0: gas differs"]),
             "compilers and flags with one checksum",
             "**1 failures in 3**",
         ),
         (
             "mutants",
-            synthetic_promise.mutants(fault("a"), fault("b", "survived")),
+            synthetic_guarantee.mutants(fault("a"), fault("b", "survived")),
             "faults planted in the sources and found",
             "**1 of 2**",
         ),
     ],
 )
 def test_what_broke_stands_out(tmp_path, kind, made, title, cell):
-    block = readme_promise.promise(evidence.read([save(tmp_path, **{kind: made})]))
+    block = readme_guarantee.guarantee(verification.read([save(tmp_path, **{kind: made})]))
     assert any(line.startswith(f"| {title} |") and cell in line for line in block.splitlines())
 
 
 def test_a_fault_is_judged_over_machines(tmp_path):
-    first = synthetic_promise.mutants(fault("a", "not_run"), fault("b"), fault("c", "not_run"))
-    second = synthetic_promise.mutants(fault("a"), fault("b", "survived"))
+    first = synthetic_guarantee.mutants(fault("a", "not_run"), fault("b"), fault("c", "not_run"))
+    second = synthetic_guarantee.mutants(fault("a"), fault("b", "survived"))
     folder = save(tmp_path, mutants=first, mutants_gpu=second)
     assert told(folder)["faults planted in the sources and found"][0] == "**1 of 2** (1 not run)"
-    lines = told(folder, "promise_mutants")
+    lines = told(folder, "guarantee_mutants")
     assert [lines[f"`{name}`"][1] for name in "abc"] == [
         "killed",
         "**survived**",
@@ -101,12 +109,12 @@ def test_a_fault_is_judged_over_machines(tmp_path):
 
 
 def test_details_have_a_line_each(tmp_path):
-    folder = synthetic_promise.save_all(tmp_path)
-    ties = told(folder, "promise_near_ties")
+    folder = synthetic_guarantee.save_all(tmp_path)
+    ties = told(folder, "guarantee_near_tangent")
     assert (
         ties["quadruples"][:2] == ["CPU", "epyc"] and ties["all"][3] == "0 (rate below 2.3 · 10⁻¹⁰)"
     )
-    stress = told(folder, "promise_stress")
+    stress = told(folder, "guarantee_stress")
     assert list(stress)[2:] == [
         "impl_cpu planned",
         "impl_cpu home_phantom chapter32",
@@ -114,13 +122,13 @@ def test_details_have_a_line_each(tmp_path):
         "bullet_dbvt",
     ]
     assert stress["fcl_sap"] == ["3", "27", "0", "0", "0", "**1**", "**9, 0, 4**"]
-    compilers = readme_promise.compilers(evidence.read([folder]))
+    compilers = readme_guarantee.compilers(verification.read([folder]))
     assert "| g++ | epyc | 2 | `-O0`, `-O3 -mfma` |" in compilers
     assert "84 checksums each; failures: 0. Refused at compile time: `-Ofast`." in compilers
-    assert told(folder, "promise_fuzz")["`fuzz_scenes`"][0] == "epyc"
-    assert told(folder, "promise_sanitizers")["TSan"][1] == "198"
-    assert "`epyc/stress.json` (0123456789ab, 2026-01-02)" in readme_promise.stress(
-        evidence.read([folder])
+    assert told(folder, "guarantee_fuzz")["`fuzz_scenes`"][0] == "epyc"
+    assert told(folder, "guarantee_sanitizers")["TSan"][1] == "198"
+    assert "`epyc/stress.json` (0123456789ab, 2026-01-02)" in readme_guarantee.stress(
+        verification.read([folder])
     )
 
 
@@ -137,94 +145,103 @@ def without(document, *path):
     ("kind", "made", "message"),
     [
         ("fuzz", [], "result: is not an object"),
-        ("fuzz", synthetic_promise.sanitizers(), "its kind is 'sanitizers', and its name says"),
-        ("fuzz", without(synthetic_promise.fuzz(), "targets"), "lacks the field 'targets'"),
-        ("fuzz", synthetic_promise.fuzz() | {"targets": []}, "'targets' is empty"),
-        ("fuzz", synthetic_promise.fuzz(-1), "targets 0 (fuzz_scenes): field 'crashes' is -1"),
-        ("near_ties", synthetic_promise.near_ties("TPU"), "field 'where' is \"TPU\""),
-        ("near_ties", synthetic_promise.near_ties(a=(1, 2)), "(a): more mismatches than pairs"),
-        ("compilers", synthetic_promise.compilers(configurations=[]), "is empty"),
-        ("mutants", synthetic_promise.mutants(fault("a", killed_by=None)), "'killed_by' is null"),
-        ("mutants", synthetic_promise.mutants(fault("a", "fine")), "field 'status' is \"fine\""),
+        ("fuzz", synthetic_guarantee.sanitizers(), "its kind is 'sanitizers', and its name says"),
+        ("fuzz", without(synthetic_guarantee.fuzz(), "targets"), "lacks the field 'targets'"),
+        ("fuzz", synthetic_guarantee.fuzz() | {"targets": []}, "'targets' is empty"),
+        ("fuzz", synthetic_guarantee.fuzz(-1), "targets 0 (fuzz_scenes): field 'crashes' is -1"),
+        ("near_tangent", synthetic_guarantee.near_tangent("TPU"), "field 'where' is \"TPU\""),
+        (
+            "near_tangent",
+            synthetic_guarantee.near_tangent(a=(1, 2)),
+            "(a): more mismatches than pairs",
+        ),
+        ("compilers", synthetic_guarantee.compilers(configurations=[]), "is empty"),
+        ("mutants", synthetic_guarantee.mutants(fault("a", killed_by=None)), "'killed_by' is null"),
+        ("mutants", synthetic_guarantee.mutants(fault("a", "fine")), "field 'status' is \"fine\""),
         (
             "stress",
-            without(synthetic_promise.stress(), "rows", 0, "cases", "late"),
+            without(synthetic_guarantee.stress(), "rows", 0, "cases", "late"),
             "rows 0: cases: lacks the field 'late'",
         ),
         (
             "stress",
-            synthetic_promise.stress() | {"rows": [stress_row("Z9", "impl_cpu planned", exact=1)]},
+            synthetic_guarantee.stress()
+            | {"rows": [stress_row("Z9", "impl_cpu planned", exact=1)]},
             "no entry has the id 'Z9'",
         ),
-        ("sanitizers", without(synthetic_promise.sanitizers(), "context", "commit"), "'commit'"),
+        ("sanitizers", without(synthetic_guarantee.sanitizers(), "context", "commit"), "'commit'"),
     ],
 )
 def test_bad_files_are_named(tmp_path, kind, made, message):
     folder = save(tmp_path, **{kind: made})
     with pytest.raises(ReportError) as caught:
-        evidence.read([folder])
+        verification.read([folder])
     said = str(caught.value)
     assert said.startswith(f"{folder / 'epyc' / kind}.json: ") and message in said
     assert "\n" not in said
 
 
 def test_an_interrupted_run_does_not_count(tmp_path):
-    made = synthetic_promise.stress()
+    made = synthetic_guarantee.stress()
     made["context"]["finished"] = False
     with pytest.raises(ReportError, match="the run was interrupted; only whole runs count"):
-        evidence.read([save(tmp_path, stress=made)])
+        verification.read([save(tmp_path, stress=made)])
 
 
 def test_text_that_is_no_json_and_folders_that_are_none(tmp_path):
     folder = save(tmp_path)
     (folder / "epyc" / "fuzz.json").write_text("{")
     with pytest.raises(ReportError, match=r"fuzz\.json: not JSON"):
-        evidence.read([folder])
+        verification.read([folder])
     with pytest.raises(ReportError, match="nowhere: is not a folder of results"):
-        evidence.read([tmp_path / "nowhere"])
+        verification.read([tmp_path / "nowhere"])
 
 
 def test_a_machine_s_folder_may_be_given_itself(tmp_path):
-    folder = save(tmp_path, fuzz=synthetic_promise.fuzz())
-    assert len(evidence.read([folder / "epyc"]).fuzz) == len(evidence.read([folder]).fuzz) == 2
+    folder = save(tmp_path, fuzz=synthetic_guarantee.fuzz())
+    assert (
+        len(verification.read([folder / "epyc"]).fuzz) == len(verification.read([folder]).fuzz) == 2
+    )
 
 
 def test_the_command_writes_checks_and_leaves_other_blocks_alone(tmp_path, capsys):
-    folder, path = synthetic_promise.save_all(tmp_path), tmp_path / "README.md"
+    folder, path = synthetic_guarantee.save_all(tmp_path), tmp_path / "README.md"
     path.write_text(f"{MARKED}<!-- octocell:speed -->\nmine\n<!-- /octocell:speed -->\n")
-    command = ["promise", str(folder), str(path)]
+    command = ["guarantee", str(folder), str(path)]
     assert main([*command, "--check"]) == 1 and "mine" in path.read_text()
     assert main(command) == 0 and main([*command, "--check"]) == 0
     text = path.read_text()
     assert "| 27 of 27 |" in text and "\nmine\n" in text
     assert capsys.readouterr().out.splitlines() == [
-        f"{path}: differs: promise",
-        f"{path}: rewritten: promise",
+        f"{path}: differs: guarantee",
+        f"{path}: rewritten: guarantee",
         f"{path}: up to date",
     ]
 
 
 def test_a_marker_may_name_its_folder_by_the_path_from_its_file(tmp_path, monkeypatch):
-    synthetic_promise.save_all(tmp_path)
-    path = tmp_path / "docs" / "promise.md"
+    synthetic_guarantee.save_all(tmp_path)
+    path = tmp_path / "docs" / "guarantee.md"
     path.parent.mkdir()
-    path.write_text(MARKED.replace("octocell:promise -->", "octocell:promise ../results -->", 1))
+    path.write_text(
+        MARKED.replace("octocell:guarantee -->", "octocell:guarantee ../results -->", 1)
+    )
     monkeypatch.chdir("/")
-    assert main(["promise", str(path)]) == 0
+    assert main(["guarantee", str(path)]) == 0
     assert "| 27 of 27 |" in path.read_text()
 
 
 def test_a_marker_without_a_folder_needs_one(tmp_path, capsys):
     path = tmp_path / "README.md"
     path.write_text(MARKED)
-    assert main(["promise", str(path)]) == 2
-    assert "marker 'octocell:promise' must name its result" in capsys.readouterr().err
-    assert main(["promise", str(tmp_path)]) == 2
+    assert main(["guarantee", str(path)]) == 2
+    assert "marker 'octocell:guarantee' must name its result" in capsys.readouterr().err
+    assert main(["guarantee", str(tmp_path)]) == 2
     assert "names no .md file" in capsys.readouterr().err
 
 
 def test_the_readme_command_writes_them_too(tmp_path):
-    folder = synthetic_promise.save_all(tmp_path)
-    text = MARKED.replace("promise -->", f"promise {folder} -->", 1)
+    folder = synthetic_guarantee.save_all(tmp_path)
+    text = MARKED.replace("guarantee -->", f"guarantee {folder} -->", 1)
     fresh, differing = readme.filled(None, text)
-    assert differing == [f"promise {folder}"] and "27 of 27" in fresh
+    assert differing == [f"guarantee {folder}"] and "27 of 27" in fresh

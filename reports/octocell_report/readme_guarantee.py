@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The promise as tables: what was tried to break it, how much of it, and what broke."""
+"""The guarantee as tables: what was tried to break it, how much of it, and what broke."""
 
 from __future__ import annotations
 
@@ -7,23 +7,31 @@ from collections.abc import Callable, Iterable, Sequence
 from itertools import groupby
 
 from octocell_report import words
-from octocell_report.evidence import ENDINGS, SIDES, Evidence, Mutant, NearTies, Source, StressRow
 from octocell_report.markdown import table
+from octocell_report.verification import (
+    ENDINGS,
+    SIDES,
+    Mutant,
+    NearTangent,
+    Source,
+    StressRow,
+    Verification,
+)
 
 NOT_RUN = "not run"
 OURS, LIBRARIES = "Octocell", ("fcl", "bullet")  # columns
 _NONE = [words.NONE] * len(LIBRARIES)
 
 
-def promise(evidence: Evidence) -> str:
+def guarantee(verification: Verification) -> str:
     """The one table: ours beside the libraries, where the same was asked of them."""
     lines = [
-        *_near_ties(evidence),
-        *_stress(evidence),
-        ["inputs made by fuzzers", _fuzzed(evidence), *_NONE],
-        ["faults planted in the sources and found", _killed(evidence), *_NONE],
-        ["compilers and flags with one checksum", _configurations(evidence), *_NONE],
-        ["reports of sanitizers", _reports(evidence), *_NONE],
+        *_near_tangent(verification),
+        *_stress(verification),
+        ["inputs made by fuzzers", _fuzzed(verification), *_NONE],
+        ["faults planted in the sources and found", _killed(verification), *_NONE],
+        ["compilers and flags with one checksum", _configurations(verification), *_NONE],
+        ["reports of sanitizers", _reports(verification), *_NONE],
     ]
     header = ["", OURS, *map(words.family_title, LIBRARIES)]
     note = (
@@ -33,25 +41,25 @@ def promise(evidence: Evidence) -> str:
         f"{words.NONE}: not asked of a library. Libraries run with our exact test of a pair, so "
         "that what they miss their broad phases lost."
     )
-    return "\n".join([table(header, lines, note), "", _sources(_all_sources(evidence))])
+    return "\n".join([table(header, lines, note), "", _sources(_all_sources(verification))])
 
 
-def _near_ties(evidence: Evidence) -> list[list[str]]:
+def _near_tangent(verification: Verification) -> list[list[str]]:
     found = []
     for side in SIDES:
-        ties = [tie for tie in evidence.near_ties if tie.where == side]
+        ties = [tie for tie in verification.near_tangent if tie.where == side]
         families = len({tie.family for tie in ties})
         tried = f"{words.grouped(_pairs(ties))} in {families} families" if ties else NOT_RUN
-        found.append([f"near ties decided, {side}", tried, *_NONE])
+        found.append([f"near-tangent pairs decided, {side}", tried, *_NONE])
         found.append(["– of these wrong", _mismatches(ties), *_NONE])
     return found
 
 
-def _pairs(ties: Iterable[NearTies]) -> int:
+def _pairs(ties: Iterable[NearTangent]) -> int:
     return sum(tie.pairs for tie in ties)
 
 
-def _mismatches(ties: list[NearTies]) -> str:
+def _mismatches(ties: list[NearTangent]) -> str:
     wrong, pairs = sum(tie.mismatches for tie in ties), _pairs(ties)
     if not pairs:
         return NOT_RUN
@@ -65,12 +73,12 @@ def bound(trials: int) -> str:
     return f"{mantissa} · 10{superscripts}"
 
 
-def _stress(evidence: Evidence) -> list[list[str]]:
+def _stress(verification: Verification) -> list[list[str]]:
     """Questions, not scenes: each scene is asked of every implementation."""
-    entries = {row.entry for row in evidence.stress}
-    families = len({row.family for row in evidence.stress})
-    asked = [row for row in evidence.stress if row.asks != "refusal"]
-    bad = [row for row in evidence.stress if row.asks == "refusal"]
+    entries = {row.entry for row in verification.stress}
+    families = len({row.family for row in verification.stress})
+    asked = [row for row in verification.stress if row.asks != "refusal"]
+    bad = [row for row in verification.stress if row.asks == "refusal"]
     title = "stress catalogue"
     if entries:
         title += f" ({families} families, {len(entries)} entries)"
@@ -125,15 +133,15 @@ def _rejected(rows: list[StressRow]) -> str:
     return f"{_ended(rows, 'exact')} of {tried}" if tried else words.NONE
 
 
-def _fuzzed(evidence: Evidence) -> str:
-    if not evidence.fuzz:
+def _fuzzed(verification: Verification) -> str:
+    if not verification.fuzz:
         return NOT_RUN
-    runs, crashes = (sum(getattr(t, key) for t in evidence.fuzz) for key in ("runs", "crashes"))
+    runs, crashes = (sum(getattr(t, key) for t in verification.fuzz) for key in ("runs", "crashes"))
     return f"{words.grouped(runs)}, failures: {_bold(crashes)}"
 
 
-def _killed(evidence: Evidence) -> str:
-    verdicts = _best(evidence.mutants)
+def _killed(verification: Verification) -> str:
+    verdicts = _best(verification.mutants)
     tried = [mutant for mutant in verdicts if mutant.status != "not_run"]
     if not tried:
         return NOT_RUN
@@ -155,26 +163,26 @@ def _best(mutants: list[Mutant]) -> list[Mutant]:
     return [found[name] for name in names]
 
 
-def _configurations(evidence: Evidence) -> str:
-    if not evidence.compilers:
+def _configurations(verification: Verification) -> str:
+    if not verification.compilers:
         return NOT_RUN
-    total = sum(len(matrix.configurations) for matrix in evidence.compilers)
-    failures = sum(len(matrix.failures) for matrix in evidence.compilers)
+    total = sum(len(matrix.configurations) for matrix in verification.compilers)
+    failures = sum(len(matrix.failures) for matrix in verification.compilers)
     return f"{total}" if not failures else f"**{failures} failures in {total}**"
 
 
-def _reports(evidence: Evidence) -> str:
-    if not evidence.sanitizers:
+def _reports(verification: Verification) -> str:
+    if not verification.sanitizers:
         return NOT_RUN
-    tests = sum(tool.tests for tool in evidence.sanitizers)
+    tests = sum(tool.tests for tool in verification.sanitizers)
     # "memcheck, frames": what was run under it is for the table of the details.
-    names = ", ".join(dict.fromkeys(tool.name.split(",")[0] for tool in evidence.sanitizers))
-    reports = _bold(sum(tool.reports for tool in evidence.sanitizers))
+    names = ", ".join(dict.fromkeys(tool.name.split(",")[0] for tool in verification.sanitizers))
+    reports = _bold(sum(tool.reports for tool in verification.sanitizers))
     return f"{reports} in {words.grouped(tests)} tests ({names})"
 
 
-def _all_sources(evidence: Evidence) -> list[Source]:
-    lists: tuple[list[object], ...] = tuple(vars(evidence).values())
+def _all_sources(verification: Verification) -> list[Source]:
+    lists: tuple[list[object], ...] = tuple(vars(verification).values())
     sources = [item.source for items in lists for item in items]  # type: ignore[attr-defined]
     return list(dict.fromkeys(sources))
 
@@ -187,53 +195,57 @@ def _sources(sources: list[Source]) -> str:
     return f"From {', '.join(parts)}."
 
 
-def near_ties(evidence: Evidence) -> str:
+def near_tangent(verification: Verification) -> str:
     """By family, and where it ran."""
-    ties = evidence.near_ties
+    ties = verification.near_tangent
     lines = [
         [tie.family, tie.where, tie.source.machine, words.grouped(tie.pairs), _bold(tie.mismatches)]
         for tie in ties
     ]
     lines.append(["all", "", "", words.grouped(_pairs(ties)), _mismatches(ties)])
-    return _told(["family", "where", "machine", "near ties", "wrong"], lines, ties)
+    return _told(["family", "where", "machine", "near-tangent pairs", "wrong"], lines, ties)
 
 
-def stress(evidence: Evidence) -> str:
+def stress(verification: Verification) -> str:
     """By implementation: how its cases ended."""
     lines = []
-    rows = sorted(evidence.stress, key=lambda row: row.kind)  # backends first, else as met
+    rows = sorted(verification.stress, key=lambda row: row.kind)  # backends first, else as met
     for name in dict.fromkeys(row.implementation for row in rows):
         own = [row for row in rows if row.implementation == name]
         endings = [words.grouped(_ended(own, ending)) for ending in ENDINGS[:3]]
         endings += [_bold(_ended(own, ending)) for ending in ENDINGS[3:]]
         lines.append([name, *endings, _losses(own)])
-    return _told(["implementation", *ENDINGS, "missed, false, given again"], lines, evidence.stress)
+    return _told(
+        ["implementation", *ENDINGS, "missed, false, given again"], lines, verification.stress
+    )
 
 
-def compilers(evidence: Evidence) -> str:
+def compilers(verification: Verification) -> str:
     lines = []
-    for matrix in evidence.compilers:
+    for matrix in verification.compilers:
         for compiler, names in groupby(matrix.configurations, key=lambda name: name.split()[0]):
             flags = [name.removeprefix(compiler).strip() for name in names]
             lines.append(
                 [compiler, matrix.source.machine, str(len(flags)), f"`{'`, `'.join(flags)}`"]
             )
     header = ["compiler", "machine", "configurations", "flags"]
-    failures = sum(len(matrix.failures) for matrix in evidence.compilers)
-    checksums = max((matrix.checksums for matrix in evidence.compilers), default=0)
-    refused = sorted({name.split()[-1] for matrix in evidence.compilers for name in matrix.refused})
+    failures = sum(len(matrix.failures) for matrix in verification.compilers)
+    checksums = max((matrix.checksums for matrix in verification.compilers), default=0)
+    refused = sorted(
+        {name.split()[-1] for matrix in verification.compilers for name in matrix.refused}
+    )
     note = f"{checksums} checksums each; failures: {_bold(failures)}."
     if refused:
         note += f" Refused at compile time: `{'`, `'.join(refused)}`."
-    return _told(header, lines, evidence.compilers, note)
+    return _told(header, lines, verification.compilers, note)
 
 
-def mutants(evidence: Evidence) -> str:
+def mutants(verification: Verification) -> str:
     lines = [
         [f"`{mutant.name}`", mutant.what, _status(mutant), mutant.killed_by or words.NONE]
-        for mutant in _best(evidence.mutants)
+        for mutant in _best(verification.mutants)
     ]
-    return _told(["fault", "what is wrong", "", "found by"], lines, evidence.mutants)
+    return _told(["fault", "what is wrong", "", "found by"], lines, verification.mutants)
 
 
 def _status(mutant: Mutant) -> str:
@@ -244,7 +256,7 @@ def _status(mutant: Mutant) -> str:
     )
 
 
-def fuzz(evidence: Evidence) -> str:
+def fuzz(verification: Verification) -> str:
     lines = [
         [
             f"`{t.name}`",
@@ -253,17 +265,17 @@ def fuzz(evidence: Evidence) -> str:
             words.grouped(t.seconds),
             _bold(t.crashes),
         ]
-        for t in evidence.fuzz
+        for t in verification.fuzz
     ]
-    return _told(["target", "machine", "inputs", "seconds", "failures"], lines, evidence.fuzz)
+    return _told(["target", "machine", "inputs", "seconds", "failures"], lines, verification.fuzz)
 
 
-def sanitizers(evidence: Evidence) -> str:
+def sanitizers(verification: Verification) -> str:
     lines = [
         [tool.name, tool.source.machine, words.grouped(tool.tests), _bold(tool.reports)]
-        for tool in evidence.sanitizers
+        for tool in verification.sanitizers
     ]
-    return _told(["tool", "machine", "tests", "reports"], lines, evidence.sanitizers)
+    return _told(["tool", "machine", "tests", "reports"], lines, verification.sanitizers)
 
 
 def _told(
@@ -276,12 +288,12 @@ def _told(
     return table(header, lines, f"{note} {_sources(list(sources))}".strip())
 
 
-BLOCKS: dict[str, Callable[[Evidence], str]] = {
-    "promise": promise,
-    "promise_near_ties": near_ties,
-    "promise_stress": stress,
-    "promise_compilers": compilers,
-    "promise_mutants": mutants,
-    "promise_fuzz": fuzz,
-    "promise_sanitizers": sanitizers,
+BLOCKS: dict[str, Callable[[Verification], str]] = {
+    "guarantee": guarantee,
+    "guarantee_near_tangent": near_tangent,
+    "guarantee_stress": stress,
+    "guarantee_compilers": compilers,
+    "guarantee_mutants": mutants,
+    "guarantee_fuzz": fuzz,
+    "guarantee_sanitizers": sanitizers,
 }
