@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Linux grants memory that it does not have and ends a program that then uses it. So whoever is
+// Linux grants memory that it does not have and ends a program that then uses it. So code that is
 // about to use much asks here first, and refuses in words.
 #pragma once
 

@@ -40,7 +40,7 @@ class Buffer {
     void* const pages = rounded > bytes ? std::aligned_alloc(alignment, rounded) : nullptr;
     if (pages == nullptr) throw std::bad_alloc();
 #ifdef MADV_HUGEPAGE
-    if (large) madvise(pages, rounded, MADV_HUGEPAGE);  // a wish: without, all is as well, slower
+    if (large) madvise(pages, rounded, MADV_HUGEPAGE);  // best effort: failure only costs speed
 #endif
     return pages;
   }

@@ -43,15 +43,16 @@ class PairFinder {
  public:
   virtual ~PairFinder() = default;
 
-  /// Untimed, except in cold runs: allocate, make the objects, copy. No re-layout that flatters.
+  /// Allocates and copies; timed in cold runs only. Must not pre-sort: that belongs in
+  /// find_pairs().
   virtual void upload(const Plan& plan, SceneView scene) = 0;
 
   /// The spheres have moved (same number). The next find_pairs() brings the standing structure up
-  /// to date instead of building one; a finder without one simply starts anew.
+  /// to date instead of building one; a finder without one starts again.
   virtual void update(SceneView scene) = 0;
 
-  /// Timed: no allocation of ours, no printing, no wait for the host, but to hear what a frame of a
-  /// device may leave out.
+  /// Timed. Must not allocate, print or block, except to read which stages a frame on a device may
+  /// skip.
   virtual void find_pairs(StageClock& clock) = 0;
 
   /// A clock that can time find_pairs(): the host's, or one of the device's. It must not outlive
@@ -116,7 +117,7 @@ class GridPairFinder : public PairFinder {
   virtual void cell_index() = 0;
   virtual void pair_tests() = 0;
   virtual void resolve() = 0;
-  /// Asked at the end. True: a stage was left out that is needed, and runs() knows it by now.
+  /// Asked at the end. Returns true if a skipped stage is needed after all; runs() then says so.
   virtual bool mispredicted() { return false; }
 
  private:

@@ -2,8 +2,8 @@
 // The cell formula: from a coordinate to a cell, in fixed point, without an epsilon.
 //
 // A unit is a power of two, 2^k; a cell side is units_per_cell units. Multiplying a float by 2^-k
-// and taking the floor is exact (but for a negative product too small for a float, which counts as
-// zero and harms neither claim), so all that is proved about cells is proved about integers:
+// and taking the floor is exact (except for a negative product too small for a float, which counts
+// as zero and harms neither claim), so all that is proved about cells is proved about integers:
 //   monotone:  x <= y  =>  cell(x) <= cell(y)                 (any rounding of x and y is harmless)
 //   Lipschitz: |x - y| <= cell side  =>  cells differ by <= 1 (docs/exactness.md, claims A and B)
 // Coordinates outside the grid's box, any box, are clamped to its border cells: that keeps both.
@@ -41,7 +41,7 @@ struct Grid {
   float units_per_length = 1.0F;            // 2^-k
   double first_unit[3] = {0, 0, 0};         // floor(lowest corner * 2^-k)
   double last_unit[3] = {0, 0, 0};          // of the box, counted from first_unit; <= kMaxUnits
-  CellWidth width[3];                       // equal, but for the columns of method half_shell
+  CellWidth width[3];                       // equal, except for the columns of method half_shell
   std::uint32_t cell_count[3] = {1, 1, 1};  // cells along each axis before wrapping
   std::uint32_t wrap_mask[3] = {~0U, ~0U, ~0U};  // period - 1 on a wrapped axis, all ones elsewhere
   std::uint32_t stride_y = 1;                    // ids: x + stride_y * y + stride_z * z

@@ -22,7 +22,7 @@ enum class Skip : std::uint8_t {
   passes,           // a digit that all ids share is not sorted by
   sort,             // ids that come in order are not sorted
   unchanged,        // dynamic: no sphere has changed since the last frame: its pairs stand
-  few_movers,       // dynamic: only what moved is looked for anew
+  few_movers,       // dynamic: only spheres that moved are searched for
   skin,  // dynamic: nothing has moved far: the neighbor pairs are tested again, no others
 };
 inline constexpr std::size_t kSkipCount = 14;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Stage 5, pair_tests: which spheres that share a cell overlap?
 // Reads spheres, sorted objects, cell index. Writes sure pairs, and uncertain pairs for stage 6.
-// Cost: 16 bytes gathered an id, then about one vector operation a candidate and eighth.
+// Cost: 16 bytes gathered an id, then about one vector operation per eight candidates.
 // Idea: float32 with a proved filter decides all but a few pairs in a million; the rule that names
 //       the one cell in which a pair counts is asked only for pairs that may overlap.
 #include <algorithm>

@@ -17,7 +17,7 @@ struct Tile {
       block_size(8, 4);  // 16 were slower: most cells hold fewer
   using Number = NumberOf<test>;
 
-  // Lanes may reach past the last sphere; what is read there is made nothing of.
+  // Lanes may reach past the last sphere; what is read there is not used.
   alignas(64) Number x[kTileSpheres + kLanes];
   alignas(64) Number y[kTileSpheres + kLanes];
   alignas(64) Number z[kTileSpheres + kLanes];

@@ -69,7 +69,7 @@ class CudaBackend final : public GridPairFinder {
     if (scene.spheres.size() > room_) return upload(w_.plan, scene);
     const bool sizes_as_before = scene.spheres.size() == w_.scene.spheres.size() &&
                                  scene.flags.size() == w_.scene.flags.size();
-    if (!sizes_as_before) runs_.forget_graph();  // it holds where they are, if they are
+    if (!sizes_as_before) runs_.forget_graph();  // the graph holds the arrays' addresses
     w_.scene = scene;
     if (w_.plan.moving && coherence_.flags_differ(w_)) {
       runs_.forget_graph();

@@ -43,7 +43,7 @@ struct State {
   std::uint32_t violations = 0;
   std::uint32_t blocks_done = 0;  // of stage 2
   coherence::FrameMode mode = coherence::FrameMode::search;
-  std::uint32_t out_of_order = 0;  // some id of half_shell is below the one before, or nobody asks
+  std::uint32_t out_of_order = 0;  // half_shell's ids are unsorted, or were not checked
 };
 static_assert(sizeof(State) == 9 * 8 + 4 * 4);
 

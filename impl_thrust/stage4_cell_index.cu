@@ -4,7 +4,7 @@
 //       each id the end of its cell.
 // Cost: 20 bytes an id.
 // Idea: copy_if keeps the positions where the id changes; homes come first, so their number is
-//       found by halving; a running maximum carries each cell's end to its members.
+//       found by binary search; a running maximum carries each cell's end to its members.
 #include <thrust/copy.h>
 #include <thrust/fill.h>
 #include <thrust/for_each.h>

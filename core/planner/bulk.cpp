@@ -17,7 +17,7 @@ constexpr std::size_t kGlance = 64;
 /// Parts of the sample that count as outliers on either side of an axis.
 constexpr std::array<double, 3> kOutside = {1.0 / 64, 1.0 / 16, 1.0 / 4};
 /// Three widths of what is between them is how far the bulk may reach: a uniform one by far, a
-/// Gaussian one but for a few in a million.
+/// Gaussian one except for a few in a million.
 constexpr double kSpread = 3.0;
 /// Of the width of the sample's box, on either side: it lacks the spheres that are farthest out.
 constexpr double kMargin = 0.125;

@@ -91,7 +91,7 @@ std::string fact_of(Skip skip, const SceneStats& stats, const Plan& plan, bool t
     case Skip::wide_cells:
       return fmt::format("radii differ by a factor of {:.3g}{}",
                          f.r_min_nonzero > 0.0F ? f.r_max / f.r_min_nonzero : 1.0F,
-                         taken ? "" : ", which one level bears best");
+                         taken ? "" : ", too little for a second level");
     case Skip::layers:
       return taken ? "an axis has one layer of cells"
                    : "every axis has more than one layer of cells";

@@ -20,7 +20,7 @@ enum class Rows : std::uint8_t {
   fast,            // each backend's plan and home_phantom, and each library's fastest
   usual,           // all methods and rules, and the broad phases that are meant for many spheres
   every,           // those that look at nearly all pairs, too
-  frames,          // plans that take over from the last frame, and the same searched anew
+  frames,          // plans that take over from the last frame, and the same searched again
   ablation,        // the plan with and without each skip, and each method that can be forced
   precision,       // our plans with each predicate
   error,           // the same, each library's fastest, and those that can lose pairs

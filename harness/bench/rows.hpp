@@ -15,12 +15,12 @@ namespace octocell::bench {
 /// What a measurement starts from.
 enum class Run : std::uint8_t {
   cold,          // nothing: create, plan, allocate, find; freed memory was given back to the system
-  warm,          // buffers and objects stand and were touched; everything is found anew
+  warm,          // buffers and objects stand and were touched; everything is found again
   cold_cache,    // devices: as warm, but the device's cache holds neither scene nor buffers
   graph,         // devices: as warm, all stages recorded once and replayed as one graph
   transfers,     // devices: as warm, and the spheres come from the host, and the pairs go there
   first_update,  // baselines: as update, the first after the structure was built
-  update,        // baselines: the structure stands, every sphere is announced anew, then all pairs
+  update,        // baselines: the structure stands, every sphere is announced again, then all pairs
   dynamic,  // the spheres move from frame to frame: each one's own way to follow, then all pairs
 };
 inline constexpr std::string_view kRunNames[] = {

@@ -32,7 +32,7 @@ void StaticRow::verify_or_throw(double min_time_ms) {
   HostClock whole(Marks::off);
   whole.start();
   run_once(Marks::off);
-  const double expected_ms = whole.stop().total_ms;  // what is not timed takes its time, too
+  const double expected_ms = whole.stop().total_ms;  // includes the untimed set-up
   result_.iterations = static_cast<std::uint64_t>(
       std::clamp(std::ceil(min_time_ms / std::max(expected_ms, 1e-3)), 1.0, kMaxIterations));
 }

@@ -179,7 +179,7 @@ void check_outputs(const Options& options) {
   if (options.depth) require_savable_list(*options.depth);
 }
 
-/// Writes what is asked for. Depths follow from the pairs alone, whoever found them.
+/// Writes what is asked for. Depths follow from the pairs alone.
 std::optional<reference::DepthErrors> use_pairs(const Options& options, const Scene& scene,
                                                 PairFinder& finder, const Outcome& outcome) {
   if (!options.output && !options.depth && !options.depth_check) return std::nullopt;

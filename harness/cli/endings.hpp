@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exit codes mean what README says, whoever ends the program.
+// Exit codes mean what docs/command_line.md says, however the program ends.
 #pragma once
 
 #include <string_view>

@@ -61,7 +61,7 @@ class End {
   int fd_;
 };
 
-/// The child: writes everything, or ends; nobody could be told.
+/// The child: writes all bytes or exits: errors cannot be reported.
 void write_whole(const End& pipe, Bytes bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(pipe.fd(), bytes.data(), bytes.size());

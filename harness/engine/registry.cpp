@@ -38,7 +38,7 @@ constexpr Costs kDeviceCosts = {.per_id = 0.042,
                                           .sides_per_doubling = 4,
                                           .most_columns = 1}};
 
-/// impl_thrust is written to be read: a sphere searches its neighbours' rows by halving steps. Its
+/// impl_thrust is written to be read: a sphere finds its neighbours' rows by binary search. Its
 /// sort takes four passes, whatever bits the ids have; they are part of per_id and per_sphere.
 constexpr Costs kThrustCosts = {.per_id = 53.0,
                                 .per_id_and_pass = 0.0,

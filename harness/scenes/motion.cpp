@@ -75,7 +75,7 @@ void step_brownian(World& world, const std::vector<Sphere>& radii, double step, 
   }
 }
 
-/// Draws the few anew from the same seed in every frame, so that they stay the same.
+/// Draws the few from the same seed in every frame, so that they stay the same.
 void step_few(World& world, const std::vector<Sphere>& radii, std::uint64_t seed, Random& random) {
   Random draw(~seed);
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {

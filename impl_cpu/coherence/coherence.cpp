@@ -181,7 +181,7 @@ bool Coherence::make_list(Workspace& w) {
   return true;
 }
 
-/// A list that is too long is no answer; then everything is searched after all.
+/// If the list overflows, every sphere is searched.
 void Coherence::search_with_skin(Workspace& w) {
   if (near_.find(w)) return;
   skin_.left();

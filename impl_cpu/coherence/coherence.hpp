@@ -32,7 +32,7 @@ class Coherence {
   /// Something else than spheres has changed.
   void forget();
 
-  /// Before stage 1. True: all spheres are those whose pairs w holds; nothing remains to be done.
+  /// Before stage 1. Returns true if no sphere changed since the pairs in w were found.
   bool nothing_changed(Workspace& w);
   /// Before stage 1, too. True: its facts hold, as no sphere has moved far, and neighbor pairs
   /// serve.

@@ -87,7 +87,7 @@ void Movers::drop_pairs(Workspace& whole) {
       pairs[stands] = pair;
       stands += OCTOCELL_FAULT(frame_pairs_of_movers_stand, has(pair.i), has(pair.i) | has(pair.j))
                     ? 0
-                    : 1;  // no branch: nobody can predict it
+                    : 1;  // no branch: it could not be predicted
     }
     standing_[begin / kPairsPerBlock] = stands - begin;
   };

@@ -13,13 +13,13 @@ namespace octocell::cpu::coherence {
 /// others, which stands.
 ///
 /// Two spheres that are not among the movers are where they were then, so their pairs stand. Pairs
-/// with a mover are dropped and found anew: the movers pass through stages 2 to 4 by themselves,
+/// with a mover are dropped and found again: the movers pass through stages 2 to 4 by themselves,
 /// and stage 5 tests them against each other and against those that stand.
 class Movers {
  public:
   void allocate(const Workspace& whole);
 
-  /// All spheres have just been put in order, or will be in this frame: nobody has moved since.
+  /// All spheres have just been put in order, or will be in this frame: none has moved since.
   void start_anew();
   void forget() { others_stand_ = false; }
   [[nodiscard]] bool others_stand() const { return others_stand_; }

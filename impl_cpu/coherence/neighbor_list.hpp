@@ -57,7 +57,7 @@ class NeighborList {
   bool are_known_ = false;
   bool imply_facts_ = false;
   float half_skin_ = 0.0F;
-  Buffer<Sphere> spheres_;  // grown, but for the static ones
+  Buffer<Sphere> spheres_;  // grown, except for the static ones
   Workspace grown_;         // its pairs are numbers in the order of the columns: neighbours in
                             // space are neighbours in memory
   std::vector<std::uint32_t> places_;   // 0, 1, 2 ...: what pairs are told by

@@ -63,7 +63,7 @@ class Hits {
     if (count_ == kRoom) decide();
   }
 
-  /// What was noted so far, before lists change that it is told by.
+  /// Flushes pending hits; call before changing the lists they index.
   void decide() {
     for (std::uint32_t k = 0; k < count_; ++k) {
       const auto sphere = static_cast<std::uint32_t>(spheres_[k]);

@@ -50,7 +50,7 @@ struct OrderedSpheres {
     packed[2][k] = small.z;
     packed[3][k] = small.r;
   }
-  /// What is read behind the last sphere must be defined, and is made nothing of.
+  /// What is read behind the last sphere must be defined; its value is not used.
   void pad(std::uint64_t count) {
     for (Buffer<float>* field : {&x, &y, &z, &r}) pad(*field, count);
     for (auto& field : packed) pad(field, count);

@@ -72,7 +72,8 @@ class OtherRows {
     return found;
   }
 
-  /// As rows y - 1 to y + 1: rows that follow each other, but for one that may lie around a border.
+  /// As rows y - 1 to y + 1: rows that follow each other, except for one that may lie around a
+  /// border.
   void list_layer(std::uint32_t y, std::uint32_t layer_id, RowCursor& cursor, int first,
                   Adjacent& found) const {
     const std::uint32_t last = grid_.period(1) - 1;

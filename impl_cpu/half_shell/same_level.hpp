@@ -147,7 +147,7 @@ class SameLevel {
     return grid_.wraps(0) && g.last_column + level_.column_reach >= grid_.period(0);
   }
   [[nodiscard]] bool is_at_seam(const Group& g) const { return wraps_down(g) || wraps_up(g); }
-  /// The first and the last column that spheres of the group have partners in, but for wrapping.
+  /// The first and the last column that spheres of the group have partners in, except for wrapping.
   [[nodiscard]] std::uint32_t first_near(const Group& g) const {
     return g.first_column - std::min(g.first_column, level_.column_reach);
   }

@@ -47,7 +47,7 @@ bool Coherence::looked_at_too_many(Workspace& w, const State& state) {
   const bool too_many =
       state.mode == FrameMode::search && state.candidates > w.plan.candidate_limit;
   if (!too_many || !w.coherent() || read(w).list_made == 0) return false;
-  skin_.made(w.plan.skin.growth, motion_);  // and has served nobody
+  skin_.made(w.plan.skin.growth, motion_);  // and has served no frame
   skin_.left();
   forget(w);
   return true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Near pairs (Verlet 1967, Computer "experiments" on classical fluids): those that overlap if every
-// radius is larger by the growth. As long as no sphere is further than that from where it was in
-// the search, pairs that overlap are among them (docs/exactness.md, the skin).
+// Neighbor pairs (Verlet 1967, Computer "experiments" on classical fluids): those that overlap if
+// every radius is larger by the growth. As long as no sphere is further than that from where it was
+// in the search, pairs that overlap are among them (docs/exactness.md, the skin).
 #pragma once
 
 #include "impl_cuda_custom/pair_sinks.cuh"

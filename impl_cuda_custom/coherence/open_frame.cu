@@ -144,7 +144,7 @@ __device__ State opened(const Job& job, const State& last, const Kept& kept, Fra
   return state;
 }
 
-/// The last block's: nobody else looks at State or at Kept any more.
+/// For the last block: no other block reads State or Kept any more.
 __device__ void decide(const Job& job, const Trial& trial) {
   Kept kept = *job.kept;
   kept.still_now = __ldcg(&job.kept->still_now);

@@ -123,7 +123,7 @@ OCTOCELL_HD float radius_in_search(const Sphere& s, const Flags* flags, std::uin
   return more == 0.0F ? s.r : grown_radius(s.r, more);
 }
 
-/// In float32. Doubt: only the exact predicate knows.
+/// In float32. Uncertain: only the exact predicate knows.
 OCTOCELL_HD Verdict within_skin(const Sphere& then, const Sphere& now, float growth) {
   if (growth == 0.0F) return same_bits(then, now) ? Verdict::overlap : Verdict::apart;
   if (bits_of(then.r) != bits_of(now.r)) return Verdict::apart;

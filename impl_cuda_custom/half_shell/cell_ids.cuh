@@ -20,7 +20,7 @@ struct IdsJob {
   bool may_leave;      // where another course than a search may have been taken
   float growth;        // of the radii, or 0
   const Flags* flags;  // or none
-  Sphere* searched;    // where the spheres go that are searched for; none: nobody asks
+  Sphere* searched;    // output: the spheres that are searched for; may be null
   std::uint32_t* cell_ids;
   Object* objects;
   State* state;

@@ -110,8 +110,8 @@ __device__ inline bool step_along(const Grid& grid, int axis, int step, std::uin
   return true;
 }
 
-/// In any level; `around`: the part behind the border of a row that wraps, which is empty but for
-/// the columns next to it.
+/// In any level; `around`: the part behind the border of a row that wraps, which is empty except
+/// for the columns next to it.
 __device__ inline Run bordered_run(const CellStarts& starts, const Level& level, std::uint32_t id,
                                    RowStep step, std::uint32_t back, bool around) {
   const Grid& grid = level.grid;

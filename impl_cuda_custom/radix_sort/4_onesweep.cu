@@ -22,8 +22,8 @@
 namespace octocell::cuda_custom::onesweep {
 namespace {
 
-/// What came in order stands where it did before the first pass. It goes where the last would leave
-/// it.
+/// Sorted input still lies where it did before the first pass. It is copied to where the last would
+/// leave it.
 template <typename Here>
 __device__ void take_over(const Pass& pass) {
   const std::uint32_t count = pairs_to_sort(pass.count, pass.capacity);

@@ -23,8 +23,8 @@ __device__ inline std::uint32_t pairs_to_sort(const std::uint64_t* count, std::u
 __device__ inline int lane_of_thread() { return threadIdx.x % kWarpThreads; }
 __device__ inline int warp_of_thread() { return threadIdx.x / kWarpThreads; }
 
-/// Makes the compiler derive anew what it needs from x, instead of keeping in registers what it has
-/// derived before: without it, the digits and ranks of a large tile are spilled.
+/// Makes the compiler derive again what it needs from x, instead of keeping in registers what it
+/// has derived before: without it, the digits and ranks of a large tile are spilled.
 __device__ inline void forget(std::uint32_t& x) { asm volatile("" : "+r"(x)); }
 template <int kSize>
 __device__ void forget(std::uint32_t (&words)[kSize]) {

@@ -17,8 +17,8 @@ struct Job;
 
 enum class Variant : std::uint8_t { one_bit_split, digit_passes, reduce_then_scan, onesweep };
 
-/// Two device arrays that are sorted together: one of the two sides between which pairs go to and
-/// fro. Made by arrays_in(), since both lie in one piece of memory.
+/// Two device arrays that are sorted together: one of the two halves of a double buffer. Made by
+/// arrays_in(), since both lie in one piece of memory.
 struct KeysAndValues {
   std::uint32_t* keys;
   std::uint32_t* values;

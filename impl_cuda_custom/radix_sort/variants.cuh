@@ -20,7 +20,7 @@ struct Call {
   KeysAndValues front;
   KeysAndValues back;
   const std::uint64_t* count;
-  const std::uint32_t* out_of_order;  // or none: nobody knows
+  const std::uint32_t* out_of_order;  // or null: not checked
   void* scratch;
   cudaStream_t stream;
 

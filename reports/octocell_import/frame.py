@@ -22,7 +22,7 @@ class Frame:
     elements: list[str | None]  # [count] symbol, None: unknown; empty: no atoms, points
     radii: Column | None = None  # [count] in `unit`
     lines: Sequence[int] = ()  # [count] from 1; empty: the file has no lines
-    elements_from: str = ""  # whence the reader has them
+    elements_from: str = ""  # where the reader found them
     remarks: list[str] = field(default_factory=list)  # what the reader assumed
 
     @property

@@ -50,7 +50,7 @@ def given(options: Sequence[str], source: str | None) -> Given:
 
 
 def choose(frame: Frame, wanted: Given, exponent: int, angstrom: int) -> tuple[Floats, list[str]]:
-    """The radii in the unit that is written, and lines that say whence they are.
+    """The radii in the unit that is written, and lines that say where they are from.
 
     exponent: from the file's unit to the written one; angstrom: from Angstrom to it.
     Throws InputError without the file's name, which the caller knows.

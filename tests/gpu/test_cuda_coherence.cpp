@@ -235,7 +235,7 @@ TEST_F(FramesOnDevice, AreReplayedExactly) {
   }
 }
 
-/// Near pairs are more than candidates of a plain search may be: it is searched again without.
+/// Neighbor pairs are more than candidates of a plain search may be: it is searched again without.
 TEST_F(FramesOnDevice, AreNotRefusedForTheSakeOfASkin) {
   const Frames frames = played("gas:n=20000", Motion::slow, 12);
   Plan plan = plan_scene({frames[0]}, moving());

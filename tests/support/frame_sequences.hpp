@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What may happen between frames: sequences made to mislead whoever relies on the frame before.
+// What may happen between frames: sequences made to mislead code that relies on the frame before.
 #pragma once
 
 #include <cmath>
@@ -48,7 +48,7 @@ inline Frames teleports(const char* spec, double share) {
   return frames;
 }
 
-/// Tangent spheres, of which a few move by the least step there is, to and fro.
+/// Tangent spheres, of which a few move by the least step there is, there and back.
 inline Frames by_an_ulp(double share) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> unit(0.0, 1.0);

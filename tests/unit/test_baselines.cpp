@@ -22,7 +22,7 @@ using Spheres = std::vector<Sphere>;
 struct Baseline {
   const char* name;
   std::unique_ptr<PairFinder> (*create)();
-  /// Where and how it was built is fixed, so that spheres that leave mean building anew.
+  /// Where and how it was built is fixed, so that spheres that leave mean rebuilding.
   bool fixed_world = false;
   /// Compares far more pairs than it reports, and is stopped before it starts.
   bool stops_beforehand = false;

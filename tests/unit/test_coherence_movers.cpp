@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames in which few have moved: their pairs are found anew, the others' stand.
+// Frames in which few have moved: their pairs are found again, the others' stand.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -66,7 +66,7 @@ TEST(FewMovers, MayBeFewerThanTheyWereBefore) {
   };
   player.check({spheres}, "start");
   EXPECT_EQ(step(0, 19000).reused, Skip::few_movers);  // two blocks
-  EXPECT_EQ(step(19000, 19000).reused, std::nullopt);  // too many: nobody has moved since
+  EXPECT_EQ(step(19000, 19000).reused, std::nullopt);  // too many: none has moved since
   for (std::size_t k = 0; k < 8; ++k) EXPECT_EQ(step(2000 * k, 2000).reused, Skip::few_movers);
 }
 

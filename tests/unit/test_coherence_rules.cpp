@@ -25,7 +25,7 @@ class Model {
       : allowed_(allowed), growth_(growth), static_share_(static_share) {}
 
   FrameMode play(const Spheres& now) {
-    if (now.size() != before_.size()) start_anew(now);
+    if (now.size() != before_.size()) start_again(now);
     const Trial trial = trial_of(kept_, true, allowed_);
     Kept seen = kept_;
     std::uint32_t found = 0;
@@ -43,7 +43,7 @@ class Model {
   }
 
  private:
-  void start_anew(const Spheres& now) {
+  void start_again(const Spheres& now) {
     kept_ = {};
     copy_ = searched_ = before_ = Spheres(now.size());
     flags_ = flags_of(now.size(), static_share_, 11);

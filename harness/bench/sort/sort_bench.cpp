@@ -170,7 +170,7 @@ class SortBench {
     return context;
   }
 
-  /// "gpu" is null where no row runs on one, and "gpu_reason" says why if nobody asked for that.
+  /// "gpu" is null where no row runs on one, and "gpu_reason" says why, unless that was asked for.
   void describe_device(Json& context) const {
     context["gpu"] = Json();
     context["gpu_reason"] = Json();
