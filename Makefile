@@ -10,7 +10,7 @@ FRAME_SEQUENCES ?= 200000
 # How long `make fuzz` runs each of its targets.
 FUZZ_SECONDS ?= 300
 PUBLISHED := reports/results/epyc-zen5-2core/quick.json
-PAGES := README.md docs/speed.md
+PAGES := README.md README.zh-CN.md docs/results.md
 # Machine code for the common GPUs from Turing on; the last entry's PTX serves what is newer.
 GPUS ?= 75-real 80-real 86-real 89-real 90
 # ON: `make bundle` packs the build with planted faults instead.
@@ -24,7 +24,7 @@ CUDA_IF_GPU = $(if $(wildcard /dev/nvidiactl)$(filter ON,$(OCTOCELL_CUDA)),$(OCT
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build build-tests test compilers fuzz mutants stress stress-full bench bench-full bench-sort ablation error report readme sanitize cuda-toolkit bundle clean
+.PHONY: help setup configure build build-tests test compilers fuzz mutants stress stress-full bench bench-full bench-sort ablation error report readme pictures sanitize cuda-toolkit bundle clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -99,6 +99,9 @@ report: setup ## Draw plots and the page again from RESULT (default reports/out/
 readme: setup ## Write the tables of README and docs from the published results
 	@for page in $(PAGES); do $(PYTHON) -m octocell_report readme $(PUBLISHED) $$page || exit 1; done
 	@$(PYTHON) -m octocell_report guarantee docs/guarantee.md
+
+pictures: build ## Draw the README's pictures from runs of the program and the published results
+	@$(PYTHON) scripts/draw_pictures.py --octocell $(BUILD)/octocell --result $(PUBLISHED)
 
 sanitize: setup ## Build and test with ASan + UBSan, then with TSan
 	@for kind in asan tsan; do \

@@ -52,8 +52,8 @@ def judge(result: Result) -> Verdict:
 
 
 def headline(verdict: Verdict, language: str = "en") -> str:
-    """A sentence, or two where variants are wrong. A 'default' row ran, and is neither a variant nor a
-    negative control."""
+    """A sentence, or two where variants are wrong. A 'default' row ran, and is neither a variant
+    nor a negative control."""
     text = _of_default_rows(verdict, language)
     if not verdict.wrong_variants:
         return text

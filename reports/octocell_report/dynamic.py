@@ -34,7 +34,7 @@ def courses(result: Result) -> dict[Course, list[Row]]:
     return {course: sorted(rows, key=lambda r: order[r.impl]) for course, rows in found.items()}
 
 
-def searched_anew(result: Result) -> dict[tuple[Impl, Place], Row]:
+def searched_again(result: Result) -> dict[tuple[Impl, Place], Row]:
     """The same frames as a planned row's, none of which takes over from the last."""
     return {
         (row.impl, row.place): row

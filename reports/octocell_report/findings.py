@@ -196,9 +196,9 @@ def speed(result: Result, run: str, language: str = "en") -> list[str]:
 
 def moving(result: Result, language: str = "en") -> list[str]:
     """Whose steady frame is fastest on each course, and how ours stands to the same frames searched
-    anew and to each library's."""
+    again and to each library's."""
     labels, every, found = words.labels(result), tables.ratios(result, tables.DYNAMIC), []
-    anew = dynamic.searched_anew(result)
+    again = dynamic.searched_again(result)
     for course, rows in dynamic.courses(result).items():
         exact = [row for row in rows if row.counts]
         if not exact:
@@ -207,11 +207,11 @@ def moving(result: Result, language: str = "en") -> list[str]:
         name, time_ms = labels[best.impl], words.number(best.median_ms)
         found.append(tell(language, "steady", course=course.title, name=name, time=time_ms))
         for row in exact:
-            beside = anew.get((row.impl, row.place))
+            beside = again.get((row.impl, row.place))
             if rounds := tables.round_ratios(row, beside) if beside else ():
                 share = f"{median(rounds):.2f}"
                 values = {"course": course.title, "name": labels[row.impl], "share": share}
-                found.append(tell(language, "steady_anew", **values))
+                found.append(tell(language, "steady_again", **values))
         for family in tables.families(result):
             ours = [
                 ratio.median

@@ -14,12 +14,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from statistics import median
 
 from octocell_report import (
     markdown,
+    readme_front,
     readme_gpu,
     readme_guarantee,
     readme_kinds,
@@ -60,14 +61,14 @@ def rewrite(
 def filled(
     result: Result | None, text: str, folder: Path = Path(), folders: Sequence[Path] = ()
 ) -> tuple[str, list[str]]:
-    """The text with its blocks written anew, and the names of those that differed."""
+    """The text with its blocks rewritten, and the names of those that differed."""
     newline = "\r\n" if "\r\n" in text else "\n"
     benches, sorts, read = cache(load), cache(sort.load), cache(verification.read)
     parts, differing, end = [], [], 0
     for name, source, start, stop in _blocks(text, bool(folders)):
-        if name in readme_guarantee.BLOCKS:
+        if name in GUARANTEE_BLOCKS:
             given = (folder / source,) if source else tuple(folders)
-            block = readme_guarantee.BLOCKS[name](read(given))
+            block = GUARANTEE_BLOCKS[name](read(given))
         elif result is None:
             continue
         elif name in SORT_BLOCKS:
@@ -100,7 +101,7 @@ def _blocks(text: str, given: bool) -> list[tuple[str, str, int, int]]:
             raise ReportError(f"line {line}: {what}")
         if closes and source:
             raise ReportError(f"line {line}: only the first marker of '{name}' names a result")
-        if not (closes or source or name in BLOCKS or (given and name in readme_guarantee.BLOCKS)):
+        if not (closes or source or name in BLOCKS or (given and name in GUARANTEE_BLOCKS)):
             raise ReportError(f"line {line}: marker 'octocell:{name}' must name its result")
         if opened is None:
             opened = name, source, marker.end(), line
@@ -202,25 +203,34 @@ def moving(result: Result) -> str:
                 size = words.grouped(place.n)
                 lines.append([place.scene, size, titles[row.impl], time, *cells])
     note = (
-        "Median frame after those that settle a structure. Ours builds anew, or reuses what is "
-        "proved to hold still; a library updates what stands. The ratio is the library's fastest "
-        "frame time by the row's."
+        "Median frame after those that settle a structure. We rebuild each frame unless we can "
+        "prove that nothing relevant moved; a library updates its structure. The ratio is the "
+        "library's fastest frame time by the row's."
     )
     return table(header, lines, note)
 
 
 def correctness(result: Result) -> str:
-    """Implementations down, scenes across; what stands in a cell holds for all its sizes."""
+    """Implementations that are wrong somewhere, by scene; all others in one line."""
     titles, cells = words.titles(result), tables.correctness(result)
-    lines = [
-        [titles[impl], *(_scene_cell(result, cells, impl, scene) for scene in result.scenes)]
-        for impl in result.impls
-    ]
+    lines, exact, absent = [], [], []
+    for impl in result.impls:
+        states = {cells[impl, group.place].state for group in result.groups}
+        if states & {"wrong", "negative_control"}:
+            here = [_scene_cell(result, cells, impl, scene) for scene in result.scenes]
+            lines.append([titles[impl], *here])
+        else:
+            (exact if "exact" in states else absent).append(f"`{titles[impl]}`")
     note = (
         f"{words.MINUS} pairs missed, + pairs that are none, × pairs given more than once; at the "
         "largest size that is wrong."
     )
-    return table(["implementation", *result.scenes], lines, note)
+    said = [
+        f"Exact wherever they ran, of {len(result.groups)} scenes and sizes: {', '.join(exact)}."
+    ]
+    said += [f"Not run here: {', '.join(absent)}."] if absent else []
+    wrong = [table(["wrong", *result.scenes], lines, note)] if lines else []
+    return "\n\n".join([" ".join(said), *wrong])
 
 
 def _scene_cell(
@@ -267,7 +277,15 @@ BLOCKS: dict[str, Callable[[Result], str]] = {
     "kinds_cold": readme_kinds.kinds_cold,
     "kinds_warm": readme_kinds.kinds_warm,
     "frames": readme_kinds.frames,
+    "front_libraries": readme_front.libraries,
+    "front_libraries_zh": partial(readme_front.libraries, language="zh"),
+    "front_gpu": readme_front.gpu,
+    "front_gpu_zh": partial(readme_front.gpu, language="zh"),
 }
 # Of another kind of result, so its marker always names it.
 SORT_BLOCKS: dict[str, Callable[[SortResult], str]] = {"gpu_sorts": readme_sorts.sorts}
-KNOWN = (*BLOCKS, *SORT_BLOCKS, *readme_guarantee.BLOCKS)
+GUARANTEE_BLOCKS = readme_guarantee.BLOCKS | {
+    "front_wrong": readme_front.wrong,
+    "front_wrong_zh": partial(readme_front.wrong, language="zh"),
+}
+KNOWN = (*BLOCKS, *SORT_BLOCKS, *GUARANTEE_BLOCKS)

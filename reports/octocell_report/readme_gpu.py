@@ -28,7 +28,7 @@ def speed(result: Result) -> str:
     header = ["spheres", f"{OURS} [ms]", *(f"{name} [ms]" for name in EXTRA_RUNS.values())]
     header += [f"{backend} [ms]" for backend in others] + [f"vs {backend}" for backend in others]
     lines = [_speeds(result, place, others) for place in places]
-    taken = [row for p in places for b in (OURS, *others) if (row := _fastest(result, p, b))]
+    taken = [row for p in places for b in (OURS, *others) if (row := fastest(result, p, b))]
     labels = words.labels(result)
     names = ", ".join(f"`{name}`" for name in dict.fromkeys(labels[r.impl] for r in taken))
     note = (
@@ -40,13 +40,13 @@ def speed(result: Result) -> str:
 
 
 def _speeds(result: Result, place: Place, others: list[str]) -> list[str]:
-    ours = _fastest(result, place, OURS)
+    ours = fastest(result, place, OURS)
     cells = [words.grouped(place.n), _time(result, place, OURS)]
     for run in EXTRA_RUNS:
         rows = [r for r in result.at(place, run) if ours and r.impl == ours.impl]
         cells.append(_shown(rows[0]) if rows else words.NONE)
     cells += [_time(result, place, backend) for backend in others]
-    return cells + [_ratio(_fastest(result, place, backend), ours) for backend in others]
+    return cells + [_ratio(fastest(result, place, backend), ours) for backend in others]
 
 
 def _of(result: Result, place: Place, backend: str) -> list[Row]:
@@ -59,14 +59,14 @@ def _of(result: Result, place: Place, backend: str) -> list[Row]:
     ]
 
 
-def _fastest(result: Result, place: Place, backend: str) -> Row | None:
+def fastest(result: Result, place: Place, backend: str) -> Row | None:
     rows = [row for row in _of(result, place, backend) if row.counts]
     return min(rows, key=lambda row: row.median_ms, default=None)
 
 
 def _time(result: Result, place: Place, backend: str) -> str:
     """What is not exact has no time, but does not go unsaid either."""
-    row = _fastest(result, place, backend)
+    row = fastest(result, place, backend)
     wrong = _of(result, place, backend) if row is None else []
     return _shown(row or wrong[0]) if row or wrong else words.NONE
 

@@ -35,9 +35,9 @@ def guarantee(verification: Verification) -> str:
     ]
     header = ["", OURS, *map(words.family_title, LIBRARIES)]
     note = (
-        "A near tie is a pair with |D − R| ≤ 64 u R: its squared distance is so near to the square "
-        "of the sum of radii that float32 may fail to tell; each was decided and held against "
-        "integers. Where nothing was wrong, 3/N bounds the rate with 95 %. "
+        "A near-tangent pair is one with |D − R| ≤ 64 u R: its squared distance is so near to the "
+        "square of the sum of radii that float32 may fail to tell; each was decided and compared "
+        "with integers. Where nothing was wrong, 3/N bounds the rate with 95 %. "
         f"{words.NONE}: not asked of a library. Libraries run with our exact test of a pair, so "
         "that what they miss their broad phases lost."
     )
@@ -94,27 +94,35 @@ def _stress(verification: Verification) -> list[list[str]]:
     ]
 
 
-def _columns(rows: list[StressRow], show: Callable[[list[StressRow]], str]) -> list[str]:
+def by_owner(rows: list[StressRow]) -> dict[str, list[StressRow]]:
     """Ours, then library by library."""
-    owners = [[row for row in rows if row.kind == "backend"]]
+    owners = {"Octocell": [row for row in rows if row.kind == "backend"]}
     for family in LIBRARIES:
-        owners.append(
-            [r for r in rows if r.kind == "baseline" and words.family(r.backend) == family]
-        )
-    return [show(own) if own else NOT_RUN for own in owners]
+        owners[words.family_title(family)] = [
+            r for r in rows if r.kind == "baseline" and words.family(r.backend) == family
+        ]
+    return owners
+
+
+def _columns(rows: list[StressRow], show: Callable[[list[StressRow]], str]) -> list[str]:
+    return [show(own) if own else NOT_RUN for own in by_owner(rows).values()]
+
+
+def wrong(rows: list[StressRow]) -> int:
+    return _ended(rows, "wrong")
 
 
 def _ended(rows: Iterable[StressRow], *endings: str) -> int:
     return sum(row.cases[ending] for row in rows for ending in endings)
 
 
-def _answered(rows: Iterable[StressRow]) -> int:
+def answered(rows: Iterable[StressRow]) -> int:
     return _ended(rows, *(ending for ending in ENDINGS if ending not in ("skipped", "refused")))
 
 
 def _answers(rows: list[StressRow]) -> str:
     implementations = len({row.implementation for row in rows})
-    return f"{words.grouped(_answered(rows))} by {implementations} implementations"
+    return f"{words.grouped(answered(rows))} by {implementations} implementations"
 
 
 def _losses(rows: list[StressRow]) -> str:
@@ -129,7 +137,7 @@ def _bold(count: int) -> str:
 
 def _rejected(rows: list[StressRow]) -> str:
     """An answer to a bad input is exact if it is the error that names the sphere."""
-    tried = _answered(rows)
+    tried = answered(rows)
     return f"{_ended(rows, 'exact')} of {tried}" if tried else words.NONE
 
 

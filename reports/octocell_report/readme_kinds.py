@@ -35,8 +35,8 @@ def against(result: Result) -> str:
     lines = [[labels[best.impl], words.number(best.median_ms), words.NONE]]
     for row in theirs:
         if row.counts:
-            ratio = _ratio(row.round_ms, best.round_ms)
-            lines.append([labels[row.impl], words.number(row.median_ms), _shown(ratio)])
+            times = ratio(row.round_ms, best.round_ms)
+            lines.append([labels[row.impl], words.number(row.median_ms), _shown(times)])
         else:
             lines.append([labels[row.impl], words.verdict(row), words.NONE])
     note = (
@@ -92,7 +92,7 @@ def _kind(result: Result, row: Row | None, first: Row | None) -> list[str]:
         return [time, "1"]
     if first is None or not first.counts:
         return [time, words.NONE]
-    return [time, _shown(_ratio(_per_output(result, row), _per_output(result, first)))]
+    return [time, _shown(ratio(_per_output(result, row), _per_output(result, first)))]
 
 
 def _per_output(result: Result, row: Row) -> tuple[float, ...]:
@@ -101,10 +101,10 @@ def _per_output(result: Result, row: Row) -> tuple[float, ...]:
 
 
 def frames(result: Result) -> str:
-    """A frame that may take over from the last, by the same frame searched anew."""
+    """A frame that may take over from the last, by the same frame searched again."""
     rows = [row for row in result.rows if row.run == tables.DYNAMIC and row.counts]
-    anew = dynamic.searched_anew(result)
-    found = [row for row in rows if (row.impl, row.place) in anew]
+    again = dynamic.searched_again(result)
+    found = [row for row in rows if (row.impl, row.place) in again]
     if not found:
         raise ReportError(
             f"block 'frames' needs moving scenes with the variant '{dynamic.REBUILT}'"
@@ -113,25 +113,25 @@ def frames(result: Result) -> str:
         "scene",
         "implementation",
         "frame [ms]",
-        "of searching anew",
+        "of searching again",
         "of the same without flags",
     ]
     lines = []
     for row in found:
-        ratio = _ratio(row.round_ms, anew[row.impl, row.place].round_ms)
+        times = ratio(row.round_ms, again[row.impl, row.place].round_ms)
         without_flags = [
             r for r in found if r.impl == row.impl and r.place == _without_flags(row.place)
         ]
         beside = (
-            _shown(_ratio(row.round_ms, without_flags[0].round_ms)) if without_flags else words.NONE
+            _shown(ratio(row.round_ms, without_flags[0].round_ms)) if without_flags else words.NONE
         )
         labels = [row.place.scene, row.impl.backend, words.number(row.median_ms)]
-        lines.append([*labels, _shown(ratio), beside])
+        lines.append([*labels, _shown(times), beside])
     motion = found[0].motion
     count = f", {len(motion.by_frame)} frames, the first {motion.warmup} left out" if motion else ""
     note = (
         f"{words.grouped(found[0].place.n)} spheres{count}; a round's time is its median frame. "
-        f"Ratios are medians over the rounds, {_INTERVAL}. Of searching anew: the same rows, "
+        f"Ratios are medians over the rounds, {_INTERVAL}. Of searching again: the same rows, "
         "interleaved, with no frame taking over from the last. Of the same without flags: the same "
         "spheres move, but nothing says that the others stand; measured one after the other."
     )
@@ -171,7 +171,7 @@ def _value(text: str) -> str:
     return words.grouped(int(text)) if text.isdigit() else text
 
 
-def _ratio(times: tuple[float, ...], of: tuple[float, ...]) -> Estimate:
+def ratio(times: tuple[float, ...], of: tuple[float, ...]) -> Estimate:
     return estimate(ratios(times, of))
 
 

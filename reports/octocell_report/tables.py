@@ -98,7 +98,7 @@ def round_ratios(reference: Row, row: Row) -> tuple[float, ...]:
 def ratios(result: Result, run: str, kind: str = "backend") -> list[Ratio]:
     """Every exact row of that kind against the fastest exact baseline of each library.
 
-    Our backends have no run of an update: they find all pairs anew. So their warm rows, measured in
+    Our backends have no run of an update: they search again. So their warm rows, measured in
     the same rounds, are held against the baselines' updates.
     """
     found = []

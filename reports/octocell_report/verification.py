@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """What was done to find a wrong answer, as files in the folders of results: read and checked.
 
-A file's name says its kind: near_tangent.json and near_tangent_gpu.json both hold near-tangent pairs. It
-lies in the folder given, or in one below it that is named after the machine.
+A file's name says its kind: near_tangent.json and near_tangent_gpu.json hold near-tangent pairs.
+It lies in the folder given, or in one below it that is named after the machine.
 """
 
 from __future__ import annotations

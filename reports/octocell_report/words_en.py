@@ -48,7 +48,7 @@ _TABLES = {
     "speedups_how": "How many times as fast as the library's fastest exact row of that group: "
     "baseline time / our time within each round; the median over the rounds, then the lowest and the "
     "highest round.",
-    "speedups_update_how": "The baseline updates its standing structure; ours finds all pairs anew "
+    "speedups_update_how": "The baseline updates its standing structure; ours finds all pairs again "
     "(its warm row) in the same rounds. The spheres have not moved, which is the best case of a structure "
     "that stands.",
     "gpu_table": "On the GPU",
@@ -59,7 +59,7 @@ _TABLES = {
     "Device bytes: the most memory on the device at a time, per sphere.",
     "column_device_bytes": "device bytes/sphere",
     "frames_table": "Moving scenes as a table",
-    "frames_how": "A frame is: every sphere moves, the structure follows or is built anew, all pairs "
+    "frames_how": "A frame is: every sphere moves, the structure follows or is rebuilt, all pairs "
     "are found. Steady: median of the frames after the warm-up, per round; shown is the median of "
     "the rounds and their range. First: the first frame, median of the rounds.",
     "filter": "Filter rows, e.g. gas fcl",
@@ -138,8 +138,8 @@ _SECTIONS = {
     "how_time_update": "Update: the baseline's structure stands, every sphere is announced again, "
     "then all pairs are asked for. What a simulation would pay each frame.",
     "title_dynamic": "Moving scenes, frame by frame",
-    "how_dynamic": "Each frame the spheres move, then all pairs are found: ours builds anew, or "
-    "reuses what is proved to hold still; a baseline follows in its own way. A dashed line is the same row searched anew in every frame. Lines are the median over the rounds, bands the fastest to the "
+    "how_dynamic": "Each frame the spheres move, then all pairs are found: ours rebuilds, or "
+    "reuses what is proved to hold still; a baseline follows in its own way. A dashed line is the same row searched again in every frame. Lines are the median over the rounds, bands the fastest to the "
     "slowest round; hollow marks on grey are warm-up frames, which count for nothing.",
     "title_stages_backend": "Stages of ours",
     "how_stages_backend": "Each bar is one implementation, warm, at the scene's largest size. A fused "
@@ -167,9 +167,9 @@ _SECTIONS = {
     "how_speed_cold": "The same, all from nothing.",
     "title_speed_first_update": "Speed against the baselines, first update",
     "how_speed_first_update": "The same for the first update after building. Ours finds all pairs "
-    "anew, its warm row.",
+    "again, its warm row.",
     "title_speed_update": "Speed against the baselines, update",
-    "how_speed_update": "The same, the baselines' structures standing. Ours finds all pairs anew, its "
+    "how_speed_update": "The same, the baselines' structures standing. Ours finds all pairs again, its "
     "warm row. The spheres have not moved, which is the best case of a structure that stands: one that "
     "keeps its pairs has little to do. Moving scenes tell what it costs otherwise.",
     "title_memory": "Memory",
@@ -257,8 +257,8 @@ _FINDINGS = {
     "per_sphere": "{name}: {low} ns/sphere on {cheap} to {high} on {dear}.",
     "speed_cold": "Cold",
     "speed_warm": "Warm",
-    "speed_first_update": "First update (ours: found anew)",
-    "speed_update": "Update (ours: found anew)",
+    "speed_first_update": "First update (ours: found again)",
+    "speed_update": "Update (ours: found again)",
     "speed": "{run}, our fastest exact row{where} is ahead of {family}'s fastest in {ahead} of {groups} "
     "groups: {ratios} as fast, median {median}.",
     "where_backend": " on the host",
@@ -275,7 +275,7 @@ _FINDINGS = {
     "runs_by_warm": "{name}, time by its warm time over {groups} groups: {runs}.",
     "device_bytes": "{name}: {needs} bytes of device memory per sphere.",
     "steady": "{course}: the fastest steady frame is that of {name}, {time} ms.",
-    "steady_anew": "{course}: {name} takes {share} of the time of the same frames searched anew.",
+    "steady_again": "{course}: {name} takes {share} of the time of the same frames searched again.",
     "steady_speed": "{course}: our fastest steady frame is {ratio} as fast as {family}'s fastest.",
     "space": " ",
     "headline_variants_one": "{wrong} of {variants} variants of the plan is wrong.",
@@ -323,4 +323,13 @@ _FINDINGS = {
     "error_more": "{count} more",
 }
 
-TEXTS: dict[str, str] = _PAGE | _TABLES | _SECTIONS | _READING | _FINDINGS
+_FRONT = {
+    "front_library": "**{times} times** as fast as {family}'s fastest broad phase",
+    "front_libraries": "{libraries}: {n} spheres, from nothing, in {ms} ms on one thread of {machine} "
+    "(commit {commit})",
+    "front_gpu": "**{ms} ms** for a million spheres that lie on an {gpu} (commit {commit})",
+    "front_owner": "{owner} **{wrong}** of {answers}",
+    "front_wrong": "wrong answers on scenes made to break broad phases: {owners}",
+}
+
+TEXTS: dict[str, str] = _PAGE | _TABLES | _SECTIONS | _READING | _FINDINGS | _FRONT

@@ -244,7 +244,7 @@ _FINDINGS = {
     "runs_by_warm": "{name}，{groups} 组中各运行时间与其热运行时间之比：{runs}。",
     "device_bytes": "{name}：每球占用 {needs} 字节设备内存。",
     "steady": "{course}：稳态帧最快的是 {name}，{time} ms。",
-    "steady_anew": "{course}：{name} 所用时间是同样的帧逐帧重新搜索的 {share}。",
+    "steady_again": "{course}：{name} 所用时间是同样的帧逐帧重新搜索的 {share}。",
     "steady_speed": "{course}：我们最快的稳态帧的速度是 {family} 最快者的 {ratio}。",
     "space": "",
     "headline_variants_one": "计划的 {variants} 个变体中有 {wrong} 个错误。",
@@ -292,4 +292,12 @@ _FINDINGS = {
     "error_more": "另有 {count} 项",
 }
 
-TEXTS: dict[str, str] = _PAGE | _TABLES | _SECTIONS | _READING | _FINDINGS
+_FRONT = {
+    "front_library": "速度是 {family} 最快粗检测的 **{times} 倍**",
+    "front_libraries": "{libraries}：{n} 个球，从零开始，{machine} 单线程 {ms} 毫秒（提交 {commit}）",
+    "front_gpu": "球已在 {gpu} 上时，一百万个球只需 **{ms} 毫秒**（提交 {commit}）",
+    "front_owner": "{owner} {answers} 次中 **{wrong}** 次",
+    "front_wrong": "在专为击垮粗检测而设计的场景上答错的次数：{owners}",
+}
+
+TEXTS: dict[str, str] = _PAGE | _TABLES | _SECTIONS | _READING | _FINDINGS | _FRONT

@@ -272,11 +272,3 @@ def test_no_work_is_left_marked_in_the_sources() -> None:
             continue
         text = path.read_text(encoding="utf-8")
         assert not re.search(r"\b(TODO|FIXME|XXX)\b|#if 0\b", text), name_of(path)
-
-
-def test_links_between_documents_lead_somewhere() -> None:
-    for path in files(suffixes={".md"}):
-        text = path.read_text(encoding="utf-8")
-        for link in re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", text):
-            if not link.startswith(("http:", "https:", "mailto:")):
-                assert (path.parent / link).exists(), f"{name_of(path)}: {link}"

@@ -107,15 +107,15 @@ def test_the_plot_marks_warm_up_frames_apart():
             assert ours[2].get_markerfacecolor() == "white"
 
 
-def test_a_row_stands_beside_the_same_frames_searched_anew():
+def test_a_row_stands_beside_the_same_frames_searched_again():
     ours = ("impl_cpu", "planned", None)
-    rows = [moving(*ours, factor=1.0), moving(*ours, factor=4.0, skips="rebuilt", name="anew")]
+    rows = [moving(*ours, factor=1.0), moving(*ours, factor=4.0, skips="rebuilt", name="again")]
     result = result_of(*rows)
-    sentence = "impl_cpu planned takes 0.25 of the time of the same frames searched anew."
+    sentence = "impl_cpu planned takes 0.25 of the time of the same frames searched again."
     assert findings.moving(result)[1:] == [f"gas_brownian 1k: {sentence}"]
     figure = figure_of(result)
     found = {line.get_label(): line for line in figure.axes[0].get_lines()}
-    beside = found["the same, searched anew   8.80 ms"]
+    beside = found["the same, searched again   8.80 ms"]
     assert list(beside.get_ydata()) == pytest.approx([44.0, 44.0, 4.4, 8.8, 13.2])
     plain = figure_of(result_of(rows[0]))
     assert len(plain.axes[0].get_lines()) == len(found) - 1

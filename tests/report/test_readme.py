@@ -62,23 +62,31 @@ def test_speed_gives_no_time_to_what_is_not_exact(document):
     assert cells(block, "impl_cpu brute_force") == ["skipped: over limit", *"––––"]
 
 
-def test_correctness_has_a_cell_per_scene(document):
+def test_correctness_has_a_line_for_what_is_wrong_and_one_for_the_rest(document):
     block = readme.correctness(parse(document))
-    assert cells(block, "implementation") == ["gas", "1A2C"]
-    assert cells(block, "impl_cpu lowest_cell") == ["exact", "not there"]
-    assert cells(block, "impl_cpu as_written (negative control)") == [
-        "**−334 +0** at 1k",
-        "not there",
-    ]
-    assert cells(block, "impl_cpu brute_force") == ["skipped", "not there"]
+    assert cells(block, "wrong") == ["gas", "1A2C"]
+    control = "impl_cpu as_written (negative control)"
+    assert cells(block, control) == ["**−334 +0** at 1k", "not there"]
+    said = block.partition("\n")[0]
+    assert said.startswith(
+        "Exact wherever they ran, of 2 scenes and sizes: `impl_cpu lowest_cell`,"
+    )
+    assert said.endswith("Not run here: `impl_cpu brute_force`.")
 
 
-def test_correctness_says_how_many_sizes_were_exact(document):
+def test_correctness_says_where_it_was_wrong_and_how_many_sizes_were_exact(document):
     document["groups"].append(group("gas", 2000))
     document["rows"].append(row(n=2000))
+    document["rows"].append(wrong(row("fcl_a", None, None, n=2000), missed=5))
+    document["rows"].append(wrong(row(rule="as_written", n=2000, negative_control=True), missed=7))
     block = readme.correctness(parse(document))
-    assert cells(block, "impl_cpu lowest_cell")[0] == "exact"
-    assert cells(block, "fcl_a")[0] == "exact, 1 of 2 sizes"
+    assert cells(block, "fcl_a")[0] == "**−5 +0** at 2k"
+    assert cells(block, "impl_cpu as_written (negative control)")[0] == "**−7 +0** at 2k"
+
+
+def test_correctness_needs_no_table_where_all_is_exact():
+    block = readme.correctness(parse(synthetic.document([group("gas", 1000)], [row()])))
+    assert block == "Exact wherever they ran, of 1 scenes and sizes: `impl_cpu lowest_cell`."
 
 
 def test_machine_is_one_line(document):

@@ -92,9 +92,9 @@ def test_frames_are_held_against_searches_and_against_silent_flags():
     slow = [[4 * ms for ms in frames] for frames in times]
     rows = [
         moving("gas_still", times),
-        moving("gas_still", slow, skips="rebuilt", name="anew"),
+        moving("gas_still", slow, skips="rebuilt", name="again"),
         moving("gas_still_without_flags", [[2 * ms for ms in frames] for frames in times]),
-        moving("gas_still_without_flags", slow, skips="rebuilt", name="anew, without flags"),
+        moving("gas_still_without_flags", slow, skips="rebuilt", name="again, without flags"),
         moving("alone", times),  # nothing to hold it against
     ]
     block = readme_kinds.frames(parse(document(groups, rows)))

@@ -26,8 +26,8 @@ def draw(result: Result, looks: dict[Impl, Look]) -> Figure | None:
     courses = {course: rows for course, rows in courses.items() if rows}
     if not courses:
         return None
-    anew = dynamic.searched_anew(result)
-    lines = max(len(rows) for rows in courses.values()) + len({impl for impl, _ in anew})
+    again = dynamic.searched_again(result)
+    lines = max(len(rows) for rows in courses.values()) + len({impl for impl, _ in again})
     height = max(3.5, 0.265 * lines + 1.2)
     figure, axes = plt.subplots(
         len(courses),
@@ -37,28 +37,28 @@ def draw(result: Result, looks: dict[Impl, Look]) -> Figure | None:
         layout=ConstrainedLayoutEngine(hspace=0.04, h_pad=0.08),
     )
     figure.suptitle(
-        "Time per frame of moving scenes: move, follow or build anew, find all pairs\n"
+        "Time per frame of moving scenes: move, follow or rebuild, find all pairs\n"
         "lines: median of the rounds; bands: fastest to slowest round; on grey, hollow: warm-up",
         x=0.01,
         ha="left",
         fontsize=12.5,
     )
     for ax, (course, rows) in zip(axes[:, 0], courses.items(), strict=True):
-        _facet(ax, looks, rows, anew)
+        _facet(ax, looks, rows, again)
         ax.set_title(course.title)
     return figure
 
 
 def _facet(
-    ax: Axes, looks: dict[Impl, Look], rows: list[Row], anew: dict[tuple[Impl, Place], Row]
+    ax: Axes, looks: dict[Impl, Look], rows: list[Row], again: dict[tuple[Impl, Place], Row]
 ) -> None:
     """The legend stands beside it, slowest first, as the lines do."""
     ax.set_yscale("log")
     for row in sorted(rows, key=lambda r: r.median_ms, reverse=True):
         look = looks[row.impl]
-        beside = anew.get((row.impl, row.place))
+        beside = again.get((row.impl, row.place))
         if beside and beside.motion:
-            _searched_anew(ax, look, beside.motion, beside.median_ms)
+            _searched_again(ax, look, beside.motion, beside.median_ms)
         if row.motion:
             steady = f"{look.label}   {words.number(row.median_ms)} ms"
             _course(ax, look, row.motion, steady)
@@ -77,8 +77,8 @@ def _facet(
     )
 
 
-def _searched_anew(ax: Axes, look: Look, motion: Motion, median_ms: float) -> None:
-    label = f"the same, searched anew   {words.number(median_ms)} ms"
+def _searched_again(ax: Axes, look: Look, motion: Motion, median_ms: float) -> None:
+    label = f"the same, searched again   {words.number(median_ms)} ms"
     ax.plot(
         motion.by_frame, color=look.colour, linestyle="--", linewidth=1.3, alpha=0.7, label=label
     )

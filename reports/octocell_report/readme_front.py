@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: MIT
+"""The README's three numbers, a sentence each in both languages."""
+
+from __future__ import annotations
+
+from octocell_report import readme_gpu, readme_guarantee, readme_kinds, tables, words
+from octocell_report.fields import ReportError
+from octocell_report.language import listed, tell
+from octocell_report.load import Place, Result
+from octocell_report.verification import Verification
+
+
+def libraries(result: Result, language: str = "en") -> str:
+    """How many times as fast as each library's fastest our plan is, at the first scene, cold."""
+    place = result.groups[0].place
+    rows = result.at(place, "cold")
+    ours = [row for row in rows if row.impl.method == readme_kinds.PLANNED and row.counts]
+    if not ours:
+        raise ReportError("block 'front_libraries' needs an exact cold row of a plan")
+    best = min(ours, key=lambda row: row.median_ms)
+    parts = []
+    for family in tables.families(result):
+        row = tables.fastest(rows, family)
+        if row is not None:
+            times = readme_kinds.ratio(row.round_ms, best.round_ms).median
+            values = {"times": f"{times:.0f}", "family": words.family_title(family)}
+            parts.append(tell(language, "front_library", **values))
+    return tell(
+        language,
+        "front_libraries",
+        libraries=listed(parts, language),
+        n=words.grouped(place.n),
+        ms=words.number(best.median_ms),
+        machine=result.context["machine"]["cpu"],
+        commit=result.context["commit"][:8],
+    )
+
+
+def gpu(result: Result, language: str = "en") -> str:
+    """The time of a million spheres that lie on the device."""
+    row = readme_gpu.fastest(result, Place(readme_gpu.SCENE, 1_000_000), readme_gpu.OURS)
+    if row is None or result.gpu is None:
+        raise ReportError("block 'front_gpu' needs an exact warm row of a million spheres")
+    known = {"ms": words.number(row.median_ms), "gpu": result.gpu.name}
+    return tell(language, "front_gpu", **known, commit=result.context["commit"][:8])
+
+
+def wrong(verification: Verification, language: str = "en") -> str:
+    """Wrong answers to the stress catalogue: ours, then each library's."""
+    asked = [row for row in verification.stress if row.asks != "refusal"]
+    parts = []
+    for owner, rows in readme_guarantee.by_owner(asked).items():
+        counts = {"wrong": readme_guarantee.wrong(rows), "answers": readme_guarantee.answered(rows)}
+        known = {key: words.grouped(count) for key, count in counts.items()}
+        parts.append(tell(language, "front_owner", owner=owner, **known))
+    return tell(language, "front_wrong", owners=listed(parts, language))
