@@ -9,7 +9,7 @@ RESULT ?= reports/out/bench.json
 FRAME_SEQUENCES ?= 200000
 # How long `make fuzz` runs each of its targets.
 FUZZ_SECONDS ?= 300
-PUBLISHED := reports/results/epyc-zen5-2core/quick.json
+PUBLISHED := reports/results/epyc-zen5-2core/quick.json.gz
 PAGES := README.md README.zh-CN.md docs/results.md
 # Machine code for the common GPUs from Turing on; the last entry's PTX serves what is newer.
 GPUS ?= 75-real 80-real 86-real 89-real 90

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# On a machine with a GPU, from an unpacked bundle: what proves it and what is published.
-# gpu_run.sh STEP..., steps being tests, check, stress, near_tangent, sanitizers, mutants, sort, bench, large (default: tests check).
+# On a machine with a GPU, from an unpacked bundle: what proves it (measure.sh makes what is published).
+# gpu_run.sh STEP..., steps being tests, check, stress, near_tangent, sanitizers, mutants (default: tests check).
 # OUT names the folder for logs and JSON (default: out, beside this file).
 # shellcheck disable=SC2317  # steps are called by their names
 set -uo pipefail
@@ -80,15 +80,6 @@ sanitizers() {  # small scenes: the tools make everything hundreds of times slow
 mutants() {  # of a bundle made with FAULTS=ON
   run python3 "$here/mutation/mutants.py" --build "$here" --only 'cuda_.*' \
     --checks 'test_(radix_sort|cuda_.*)' --jobs 4 -o "$OUT/mutants.json"
-}
-
-sort() { run "$octocell" bench-sort --device gpu -o "$OUT/sort.json"; }
-
-bench() { run "$octocell" bench --preset gpu -o "$OUT/gpu.json"; }
-
-large() {
-  run "$octocell" bench dense:n=1e7 poly:n=1e7 cluster:n=1e7 lattice:n=1e7,shuffle=1 shifted:n=1e7 giant:n=1e7 \
-    --rounds 3 --benchmark_filter='cuda.*method:planned.*run:warm' -o "$OUT/gpu_large.json"
 }
 
 for step in "${@:-tests check}"; do

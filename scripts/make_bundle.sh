@@ -38,7 +38,8 @@ pack() {
   libraries_of "$bundle/octocell" "$bundle"/tests/test_* | xargs -I{} install --mode=644 {} "$bundle/lib"
   cp -r reports/octocell_report reports/requirements.txt "$bundle"
   find "$bundle" -name __pycache__ -prune -exec rm -rf {} +
-  cp scripts/gpu_run.sh README.md LICENSE "$bundle"
+  cp scripts/gpu_run.sh scripts/measure.sh README.md LICENSE "$bundle"
+  git rev-parse HEAD >"$bundle/commit"
   for scene in data/1A2C.pqr data/adk_oplsaa.npy; do [ ! -f "$scene" ] || cp "$scene" "$bundle/data"; done
   [ "$FAULTS" = OFF ] || cp -r tests/mutation "$bundle"
   tar -C dist -czf "dist/$name.tar.gz" "$name"

@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import os
 import secrets
 import shutil
 import stat
 import tempfile
+import zlib
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -23,13 +25,17 @@ _LONGEST_INTEGER = 400  # digits, of which all but the first few are of no use
 
 
 def read_text(path: Path) -> str:
-    """With the ends of lines as they are. Throws ReportError naming the file."""
+    """With the ends of lines as they are; a .gz is unpacked. Throws ReportError naming the file."""
+    opens = gzip.open if path.suffix == ".gz" else open
     try:
-        with path.open(encoding="utf-8", newline="") as stream:
-            return stream.read()
-    except (OSError, UnicodeDecodeError) as error:
-        why = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
-        raise ReportError(f"{path}: cannot be read: {why}") from error
+        with opens(path, "rt", encoding="utf-8", newline="") as stream:
+            return str(stream.read())
+    except UnicodeDecodeError as error:
+        raise ReportError(f"{path}: cannot be read: not UTF-8 text") from error
+    except (gzip.BadGzipFile, zlib.error, EOFError) as error:
+        raise ReportError(f"{path}: cannot be read: not a whole gzip file") from error
+    except OSError as error:
+        raise ReportError(f"{path}: cannot be read: {error.strerror}") from error
 
 
 def read_json(path: Path, parse: Callable[[Any], _Parsed]) -> _Parsed:

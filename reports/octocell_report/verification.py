@@ -145,7 +145,8 @@ def read(folders: Iterable[Path]) -> Verification:
         if not folder.is_dir():
             raise ReportError(f"{folder}: is not a folder of results")
         for kind in _READERS:
-            for path in sorted([*folder.glob(f"{kind}*.json"), *folder.glob(f"*/{kind}*.json")]):
+            kinds = [f"{where}{kind}*.json{gz}" for where in ("", "*/") for gz in ("", ".gz")]
+            for path in sorted(path for name in kinds for path in folder.glob(name)):
                 getattr(found, kind).extend(_file(path, kind))
     return found
 

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import copy
+import gzip
 
 import pytest
 
@@ -184,3 +185,17 @@ def test_known_issues_are_optional_text():
     assert parse(one_row(known_issues="ties")).rows[0].known_issues == "ties"
     with pytest.raises(ReportError, match="'known_issues' is 3"):
         parse(one_row(known_issues=3))
+
+
+def test_a_packed_result_reads_like_a_plain_one(every_case, save, tmp_path):
+    plain, packed = save(every_case), tmp_path / "packed.json.gz"
+    packed.write_bytes(gzip.compress(plain.read_bytes()))
+    assert load(packed).rows == load(plain).rows
+
+
+@pytest.mark.parametrize("content", [b"no gzip", gzip.compress(b"{}" * 999)[:-20]])
+def test_a_packed_result_that_is_not_whole_is_named(tmp_path, content):
+    path = tmp_path / "broken.json.gz"
+    path.write_bytes(content)
+    with pytest.raises(ReportError, match=r"broken\.json\.gz: cannot be read: not a whole gzip"):
+        load(path)

@@ -27,10 +27,11 @@ def headline():
 
 def test_a_library_is_held_against_our_plan_by_its_fastest(headline):
     said = readme_front.libraries(parse(headline))
+    n = words.grouped(1000)
     assert said == (
         "**4 times** as fast as FCL's fastest broad phase, **15 times** as fast as Bullet's "
-        f"fastest broad phase: {words.grouped(1000)} spheres, from nothing, in 2.00 ms on one thread of Example "
-        "CPU 9000 (commit 01234567)"
+        f"fastest broad phase: {n} spheres, from nothing, in 2.00 ms on one thread of Example CPU 9000 "
+        "(commit 01234567)"
     )
     chinese = readme_front.libraries(parse(headline), "zh")
     assert all(word in chinese for word in ("**4 倍**", "**15 倍**", "2.00", "01234567"))
