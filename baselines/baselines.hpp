@@ -1,13 +1,27 @@
 // SPDX-License-Identifier: MIT
-// The baselines' factories, for the registry: one per broad phase and tuning.
+// The libraries' broad phases, one per class and tuning: their list, for the registry, and what
+// makes them.
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "core/finder.hpp"
 
 namespace octocell::baselines {
+
+struct Baseline {
+  std::string_view name;  // library, class, tuning
+  std::string_view summary;
+  std::unique_ptr<PairFinder> (*create)();
+  /// Why its answers can lack pairs although it is driven as it should be; empty if they cannot.
+  std::string_view known_issues = {};
+};
+
+/// In the order of tables; none in a build without FCL and Bullet.
+std::span<const Baseline> all();
 
 // FCL 0.7: tree_init_level 0 is its default (median split), 1 builds from Morton codes.
 std::unique_ptr<PairFinder> make_fcl_dynamic_aabb_tree();

@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
-#include "harness/bench/json_text.hpp"
+#include "harness/files/json_text.hpp"
 #include "harness/files/output_file.hpp"
 
 namespace octocell::bench {

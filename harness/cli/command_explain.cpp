@@ -10,13 +10,13 @@
 
 #include "core/error.hpp"
 #include "core/planner/explain.hpp"
-#include "harness/bench/json_text.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/cli/names.hpp"
 #include "harness/cli/own_choices.hpp"
 #include "harness/engine/find_completely.hpp"
 #include "harness/engine/median.hpp"
 #include "harness/engine/registry.hpp"
+#include "harness/files/json_text.hpp"
 #include "harness/files/load.hpp"
 #include "harness/scenes/scenes.hpp"
 

@@ -14,13 +14,13 @@
 #include "core/depth.hpp"
 #include "core/flags.hpp"
 #include "core/planner/explain.hpp"
-#include "harness/bench/json_text.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/cli/named_files.hpp"
 #include "harness/cli/names.hpp"
 #include "harness/cli/own_choices.hpp"
 #include "harness/engine/find_completely.hpp"
 #include "harness/engine/registry.hpp"
+#include "harness/files/json_text.hpp"
 #include "harness/files/load.hpp"
 #include "harness/files/save.hpp"
 #include "harness/scenes/scenes.hpp"
@@ -196,6 +196,7 @@ std::optional<reference::DepthErrors> use_pairs(const Options& options, const Sc
 }
 
 int find(const Options& options) {
+  if (options.round_input || options.depth_check) reference::require_available();
   check_outputs(options);
   const Implementation how = chosen_implementation(options);
   PlanOptions plan_options = plan_options_of(how, options.own, options.threads);

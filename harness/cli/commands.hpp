@@ -14,8 +14,12 @@ using Command = std::function<int()>;
 void add_list(CLI::App& app, Command& command);
 void add_find(CLI::App& app, Command& command);
 void add_explain(CLI::App& app, Command& command);
-void add_check(CLI::App& app, Command& command);
 void add_generate(CLI::App& app, Command& command);
+
+/// Those below, which need FCL, Bullet, GMP and Google Benchmark; or, in a build without, their
+/// names and why they are missing.
+void add_developer_commands(CLI::App& app, Command& command);
+void add_check(CLI::App& app, Command& command);
 void add_bench(CLI::App& app, Command& command);
 void add_bench_sort(CLI::App& app, Command& command);
 void add_stress(CLI::App& app, Command& command);

@@ -51,12 +51,8 @@ int parse_and_run(int argc, char** argv) {
   cli::add_list(app, command);
   cli::add_find(app, command);
   cli::add_explain(app, command);
-  cli::add_check(app, command);
   cli::add_generate(app, command);
-  cli::add_bench(app, command);
-  cli::add_bench_sort(app, command);
-  cli::add_stress(app, command);
-  cli::add_near_tangent(app, command);
+  cli::add_developer_commands(app, command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked_for_help) {

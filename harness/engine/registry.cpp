@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <vector>
 
 #include "baselines/baselines.hpp"
 #include "core/error.hpp"
@@ -119,26 +121,19 @@ constexpr std::array kAllMethods = {Method::home_phantom, Method::half_shell, Me
 
 std::optional<std::string> always_available() { return std::nullopt; }
 
-constexpr BackendInfo baseline(std::string_view name, std::string_view summary,
-                               std::unique_ptr<PairFinder> (*create)(),
-                               std::string_view known_issues = {}) {
-  return {.name = name,
+BackendInfo info_of(const baselines::Baseline& baseline) {
+  return {.name = baseline.name,
           .kind = Kind::baseline,
-          .summary = summary,
+          .summary = baseline.summary,
           .methods = {},
           .predicates = {},
           .threaded = false,
           .why_unavailable = always_available,
-          .create = create,
-          .known_issues = known_issues};
+          .create = baseline.create,
+          .known_issues = baseline.known_issues};
 }
 
-constexpr std::string_view kTouchingBoxesLost =
-    "ends of boxes are sorted by position only, so boxes that just touch can be taken for apart";
-constexpr std::string_view kHalfOpenCells =
-    "cells lack their upper border, so boxes that touch there share none";
-
-constexpr std::array kBackends = {
+constexpr std::array kOurs = {
     BackendInfo{.name = "impl_cpu",
                 .kind = Kind::backend,
                 .summary = "uniform grid and radix sort on CPU threads",
@@ -180,45 +175,26 @@ constexpr std::array kBackends = {
                 .device = true,
                 .has_device_runs = true,
                 .costs = kDeviceCosts},
-    baseline("fcl_dynamic_aabb_tree", "FCL DynamicAABBTree, as it comes",
-             baselines::make_fcl_dynamic_aabb_tree),
-    baseline("fcl_dynamic_aabb_tree_morton", "FCL DynamicAABBTree, tree_init_level = 1",
-             baselines::make_fcl_dynamic_aabb_tree_morton),
-    baseline("fcl_dynamic_aabb_tree_array", "FCL DynamicAABBTree_Array, as it comes",
-             baselines::make_fcl_dynamic_aabb_tree_array),
-    baseline("fcl_dynamic_aabb_tree_array_morton", "FCL DynamicAABBTree_Array, tree_init_level = 1",
-             baselines::make_fcl_dynamic_aabb_tree_array_morton),
-    baseline("fcl_sap", "FCL SaP: end points kept sorted, a list of pairs", baselines::make_fcl_sap,
-             kTouchingBoxesLost),
-    baseline("fcl_ssap", "FCL SSaP: sort and sweep at every query", baselines::make_fcl_ssap),
-    baseline("fcl_interval_tree", "FCL IntervalTree: a sweep, and three trees",
-             baselines::make_fcl_interval_tree, kTouchingBoxesLost),
-    baseline("fcl_spatial_hashing", "FCL SpatialHashing, cells of two greatest radii",
-             baselines::make_fcl_spatial_hashing, kHalfOpenCells),
-    baseline("fcl_naive", "FCL Naive: all pairs of boxes", baselines::make_fcl_naive),
-    baseline("bullet_dbvt_broadphase", "Bullet btDbvtBroadphase, as it comes",
-             baselines::make_bullet_dbvt_broadphase),
-    baseline("bullet_dbvt_broadphase_deferred", "Bullet btDbvtBroadphase, m_deferedcollide",
-             baselines::make_bullet_dbvt_broadphase_deferred),
-    baseline("bullet_dbvt", "Bullet's bare btDbvt tree, joined with itself",
-             baselines::make_bullet_dbvt),
-    baseline("bullet_axis_sweep", "Bullet btAxisSweep3, in 16 bits",
-             baselines::make_bullet_axis_sweep),
-    baseline("bullet_axis_sweep_32", "Bullet bt32BitAxisSweep3",
-             baselines::make_bullet_axis_sweep_32),
-    baseline("bullet_simple", "Bullet btSimpleBroadphase: all pairs of boxes",
-             baselines::make_bullet_simple),
 };
+
+std::vector<BackendInfo> ours_then_baselines() {
+  std::vector<BackendInfo> all(kOurs.begin(), kOurs.end());
+  for (const baselines::Baseline& baseline : baselines::all()) all.push_back(info_of(baseline));
+  return all;
+}
 
 }  // namespace
 
-std::span<const BackendInfo> backends() { return kBackends; }
+std::span<const BackendInfo> backends() {
+  static const std::vector<BackendInfo> all = ours_then_baselines();
+  return all;
+}
 
 const BackendInfo& backend_named(std::string_view name) {
-  const auto found = std::ranges::find(kBackends, name, &BackendInfo::name);
-  if (found != kBackends.end()) return *found;
+  const auto found = std::ranges::find(backends(), name, &BackendInfo::name);
+  if (found != backends().end()) return *found;
   std::vector<std::string_view> names;
-  for (const BackendInfo& b : kBackends) names.push_back(b.name);
+  for (const BackendInfo& b : backends()) names.push_back(b.name);
   throw InputError(fmt::format("unknown backend '{}'; known: {}", name, fmt::join(names, ", ")));
 }
 
@@ -244,7 +220,7 @@ std::string Implementation::label() const {
 std::vector<Implementation> implementations(std::string_view backend) {
   std::vector<Implementation> list;
   if (backend != "all") backend_named(backend);  // an unknown name is an error
-  for (const BackendInfo& b : kBackends) {
+  for (const BackendInfo& b : backends()) {
     if (backend != "all" && backend != b.name) continue;
     list.push_back({.backend = &b});
     for (const Method method : b.methods) {
@@ -263,7 +239,7 @@ std::vector<Implementation> implementations(std::string_view backend) {
 std::vector<Implementation> other_predicates(std::string_view backend) {
   std::vector<Implementation> list;
   if (backend != "all") backend_named(backend);
-  for (const BackendInfo& b : kBackends) {
+  for (const BackendInfo& b : backends()) {
     if (backend != "all" && backend != b.name) continue;
     for (const Predicate predicate : b.predicates) {
       if (predicate != Predicate::exact) list.push_back({.backend = &b, .predicate = predicate});

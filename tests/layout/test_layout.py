@@ -54,8 +54,8 @@ MAY_INCLUDE: dict[str, tuple[str, ...]] = {
 # These stand on all of the above.
 MAY_INCLUDE["harness/cli/"] = tuple(folder for folder in MAY_INCLUDE if folder not in BACKENDS)
 MAY_INCLUDE["tests/"] = tuple(folder for folder in MAY_INCLUDE if folder != "harness/cli/")
-# What a backend needs of the planner: stage 1 is the planner's pass over the scene, in parallel, and
-# each frame shows how wide a skin the next ones need.
+# What a backend needs of the planner: stage 1 is the planner's pass over the scene, in parallel,
+# and each frame shows how wide a skin the next ones need.
 PLANNERS_PARTS = {"core/planner/scene_stats.hpp", "core/planner/skin_width.hpp"}
 ONLY_WITH_PLANTED_FAULTS = {("core/faults.hpp", "tests/mutation/fault_table.hpp")}
 OUR_FOLDERS = {name.split("/")[0] for name in MAY_INCLUDE}
@@ -172,7 +172,8 @@ def test_registry_names_are_folder_names() -> None:
     backends = re.findall(r'\.name = "(\w+)",\s*\.kind = Kind::backend', text)
     folders = sorted({name.removesuffix("_cuda") for name in backends})
     assert folders == [path.name for path in IMPLEMENTATIONS]
-    baselines = re.findall(r'\bbaseline\("(\w+)"', text)
+    table = (ROOT / "baselines/all.cpp").read_text(encoding="utf-8")
+    baselines = re.findall(r'^    \{"(\w+)",', table, re.MULTILINE)
     libraries = [path.name for path in (ROOT / "baselines").iterdir() if path.is_dir()]
     assert baselines
     for name in baselines:

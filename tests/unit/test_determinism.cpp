@@ -7,6 +7,7 @@
 #include "harness/engine/find_completely.hpp"
 #include "harness/engine/registry.hpp"
 #include "harness/scenes/scenes.hpp"
+#include "tests/support/sanitized.hpp"
 
 namespace octocell {
 namespace {
@@ -49,8 +50,9 @@ TEST(Determinism, TheNegativeControlLosesTheSamePairsOnEveryBackend) {
 }
 
 TEST(Determinism, ThreadCountsAndRepetitionsDoNotMatter) {
-  for (const char* spec :
-       {"dense:n=20000", "lattice:n=20000", "giant:n=5000", "identical:n=3000"}) {
+  for (const char* spec : {kSanitized ? "dense:n=5000" : "dense:n=20000",
+                           kSanitized ? "lattice:n=5000" : "lattice:n=20000", "giant:n=5000",
+                           kSanitized ? "identical:n=1000" : "identical:n=3000"}) {
     const Scene scene = generate(spec);
     for (const Rule rule : {Rule::lowest_cell, Rule::chapter32, Rule::as_written}) {
       std::optional<PairDigest> first;
@@ -70,7 +72,7 @@ TEST(Determinism, ThreadCountsAndRepetitionsDoNotMatter) {
 
 TEST(Determinism, AFinderForgetsTheSceneBefore) {
   const Scene a = generate("gas:n=5000");
-  const Scene b = generate("lattice:n=20000");
+  const Scene b = generate(kSanitized ? "lattice:n=3000" : "lattice:n=20000");
   for (const Implementation& how : implementations()) {
     if (how.backend->why_unavailable()) continue;
     const auto finder = how.backend->create();

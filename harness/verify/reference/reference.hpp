@@ -13,6 +13,9 @@
 
 namespace octocell::reference {
 
+/// Throws LimitError in a build without a reference; everything below needs one.
+void require_available();
+
 /// |p - q|^2 <= (r_p + r_q)^2 over the reals, for finite spheres with r >= 0:
 /// float64 where it is certain by a wide margin, else integers (GMP) in units of 2^-149.
 bool overlap(const Sphere& a, const Sphere& b);
