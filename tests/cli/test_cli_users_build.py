@@ -19,10 +19,12 @@ LIBRARIES = ("fcl", "Bullet", "gmp", "gtest", "benchmark", "tbb", "hwy")
 
 @pytest.fixture(scope="module")
 def users_octocell() -> Octocell:
-    """Built once; with ccache, from what the developers' build has compiled already."""
-    folder = ROOT / "build" / "users"
+    """Built once, with the Makefile's flags: ccache has nearly all of it from the tests' build."""
+    folder = ROOT / "build-users"
     options = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in PACKAGES]
-    options += ["-DOCTOCELL_DEVELOPER=OFF", "-DOCTOCELL_CUDA=OFF", "-DCMAKE_BUILD_TYPE=Release"]
+    options += ["-DOCTOCELL_DEVELOPER=OFF", "-DCMAKE_BUILD_TYPE=Release"]
+    options += [f"-DOCTOCELL_CUDA={os.environ.get('OCTOCELL_CUDA', 'AUTO')}"]
+    options += [f"-DOCTOCELL_WERROR={'ON' if os.environ.get('CI') else 'OFF'}"]
     configure = ["cmake", "-S", ROOT, "-B", folder, "-G", "Ninja", *options]
     build = ["cmake", "--build", folder, "--target", "octocell", "-j", str(os.cpu_count())]
     for command in (configure, build):
