@@ -25,7 +25,7 @@ libraries_of() {
 
 build() {
   cmake --preset bundle -B "$build" -DOCTOCELL_FAULTS="$FAULTS" -DCMAKE_CUDA_ARCHITECTURES="$architectures" >/dev/null
-  read -ra tests < <(awk '{printf "%s ", $1}' "$build/tests/gpu_tests.txt")
+  mapfile -t tests < <(awk '{print $1}' "$build/tests/gpu_tests.txt")
   cmake --build "$build" --target octocell "${tests[@]}"
 }
 
