@@ -28,7 +28,7 @@ quietly() {  # NAME COMMAND...: only how it ended is shown
 tests() {
   local name cases
   while read -r name cases; do
-    quietly "$name" "$here/tests/$name" --gtest_brief=1 --gtest_filter="$cases"
+    quietly "$name" "$here/tests/$name" --gtest_brief=1 --gtest_filter="$cases" </dev/null
   done <"$here/tests/gpu_tests.txt"
 }
 
