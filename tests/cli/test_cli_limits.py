@@ -124,6 +124,8 @@ def test_no_signal_leaves_a_temporary(octocell: Octocell, tmp_path: Path, name: 
         with subprocess.Popen(
             [octocell.path, "generate", "gas:n=200000", "-o", tmp_path / "a.csv"],
             stdout=subprocess.DEVNULL,
+            # nohup, and shells with &, hand on signals that are ignored.
+            preexec_fn=lambda: signal.signal(number, signal.SIG_DFL),
         ) as running:
             while running.poll() is None and not _temporaries(tmp_path):
                 time.sleep(0.0002)
