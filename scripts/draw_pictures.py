@@ -156,7 +156,7 @@ def mistake(program: Program, output: Path) -> None:
 
 
 def fastest(result: Result, family: str | None) -> dict[int, Row]:
-    """By N: the fastest exact warm row of one thread, of a library, or of our planned default."""
+    """By N: the fastest exact cold row of one thread, of a library, or of our planned default."""
     found: dict[int, Row] = {}
     for n in sorted({g.n for g in result.groups if g.scene == "gas"}):
         place = next(g.place for g in result.groups if g.scene == "gas" and g.n == n)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # On a machine with a GPU, from an unpacked bundle: what proves it (measure.sh makes what is published).
-# gpu_run.sh STEP..., steps being tests, check, stress, near_tangent, sanitizers, mutants (default: tests check).
+# gpu_run.sh STEP..., steps being tests, check, stress, sanitizers, mutants (default: tests check).
 # OUT names the folder for logs and JSON (default: out, beside this file).
 # shellcheck disable=SC2317  # steps are called by their names
 set -uo pipefail
@@ -53,11 +53,6 @@ check() {
 stress() {  # SIZE: slice, quick (minutes) or full (hours)
   export OMP_WAIT_POLICY=passive
   quietly stress "$octocell" stress --backend ours --size "${SIZE:-quick}" -o "$OUT/stress.json"
-}
-
-near_tangent() {  # the predicate against integers: minutes
-  quietly near_tangent_gpu "$octocell" near-tangent --device --pairs "${NEAR_TANGENT:-2e9}" -o "$OUT/near_tangent_gpu.json"
-  quietly near_tangent_cpu "$octocell" near-tangent --pairs "${NEAR_TANGENT_CPU:-2e8}" -o "$OUT/near_tangent_cpu.json"
 }
 
 sanitizers() {  # small scenes: the tools make everything hundreds of times slower

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # Makes all published results of this machine, from one commit.
 #
-#   scripts/measure.sh cpu [STEP...]      in a clone, on a quiet machine: about three hours on two cores
-#   scripts/measure.sh gpu [STEP...]      in an unpacked bundle (make bundle), on a GPU: about 40 minutes
+#   scripts/measure.sh cpu [STEP...]      in a clone, on a quiet machine: some three hours, not yet timed
+#   scripts/measure.sh gpu [STEP...]      in an unpacked bundle (make bundle), on a GPU: some 40 minutes, not yet timed
 #   scripts/measure.sh publish MACHINE    packs them into reports/results/MACHINE
 #
 # Resumable: a step whose result of this commit is there, whole, is not run again. Results lie in
@@ -18,6 +18,10 @@ gpu_steps=(gpu gpu_large ablation_gpu ablation_thrust_gpu error_gpu frames sort 
 planned='backend:impl_cpu/method:planned/.*threads:1'
 million=n=1000000
 
+usage() {
+  sed -n '5,7s/^# *//p' "$0" >&2
+  exit 2
+}
 say() { echo "== $(date +%T) $*" >&2; }
 
 # True if the step's file is of this commit and its run came to an end.
@@ -131,23 +135,22 @@ case $side in
   cpu | publish)
     cd "$here/.."
     octocell=build/octocell python=.venv/bin/python out=reports/out/published
-    commit=$(git rev-parse HEAD)
+    commit=$(git rev-parse HEAD) steps=("${cpu_steps[@]}")
     ;;
   gpu)
     octocell=$here/octocell python=python3 out=$here/out
-    commit=$(<"$here/commit")
+    commit=$(<"$here/commit") steps=("${gpu_steps[@]}")
     ;;
   *)
-    sed -n '5,7s/^# *//p' "$0" >&2
-    exit 2
+    usage
     ;;
 esac
 shift
 mkdir -p "$out"
 if [ "$side" = publish ]; then
-  publish "${1:?MACHINE, such as epyc-zen5-2core}"
-elif [ "$side" = cpu ]; then
-  if [ $# -gt 0 ]; then run_steps "$@"; else run_steps "${cpu_steps[@]}"; fi
+  [ $# = 1 ] || usage
+  publish "$1"
 else
-  if [ $# -gt 0 ]; then run_steps "$@"; else run_steps "${gpu_steps[@]}"; fi
+  [ $# = 0 ] || steps=("$@")
+  run_steps "${steps[@]}"
 fi

@@ -21,20 +21,10 @@
 #include "harness/verify/reference/reference.hpp"
 #include "impl_cpu/backend.hpp"
 #include "impl_cuda_custom/backend.hpp"
+#include "tests/support/ways.hpp"
 
 namespace octocell {
 namespace {
-
-struct Way {
-  Method method;
-  Rule rule;
-};
-
-constexpr Way kWays[] = {{Method::home_phantom, Rule::lowest_cell},
-                         {Method::home_phantom, Rule::chapter32},
-                         {Method::home_phantom, Rule::as_written},
-                         {Method::half_shell, Rule::lowest_cell},
-                         {Method::brute_force, Rule::lowest_cell}};
 
 std::string name_of_way(const testing::TestParamInfo<Way>& info) {
   const Way& way = info.param;

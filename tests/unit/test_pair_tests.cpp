@@ -13,6 +13,7 @@
 #include "harness/scenes/scenes.hpp"
 #include "harness/verify/reference/reference.hpp"
 #include "tests/support/cpu_pipeline.hpp"
+#include "tests/support/ways.hpp"
 
 namespace octocell::cpu {
 namespace {
@@ -38,11 +39,6 @@ std::vector<Pair> sorted(std::span<const Pair> pairs) {
   std::sort(list.begin(), list.end());
   return list;
 }
-
-struct Way {
-  Method method;
-  Rule rule;
-};
 
 class PairTests : public testing::TestWithParam<Way> {
  protected:

@@ -18,6 +18,7 @@
 #include "impl_thrust/backend.hpp"
 #include "impl_thrust/scratch.cuh"
 #include "tests/support/ask_finder.hpp"
+#include "tests/support/ways.hpp"
 
 namespace octocell {
 namespace {
@@ -35,16 +36,6 @@ void expect_same_counts(const Counts& a, const Counts& b, const std::string& wha
   EXPECT_EQ(a.candidates, b.candidates) << what;
   EXPECT_EQ(a.uncertain_pairs, b.uncertain_pairs) << what;
 }
-
-struct Way {
-  Method method;
-  Rule rule;
-};
-constexpr Way kWays[] = {{Method::home_phantom, Rule::lowest_cell},
-                         {Method::home_phantom, Rule::chapter32},
-                         {Method::home_phantom, Rule::as_written},
-                         {Method::half_shell, Rule::lowest_cell},
-                         {Method::brute_force, Rule::lowest_cell}};
 
 class Thrust : public testing::TestWithParam<Way> {
  protected:

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The ways in which a backend of ours can be asked: every method, and home_phantom by every rule.
+#pragma once
+
+#include "core/plan.hpp"
+
+namespace octocell {
+
+struct Way {
+  Method method;
+  Rule rule;
+};
+
+inline constexpr Way kWays[] = {{Method::home_phantom, Rule::lowest_cell},
+                                {Method::home_phantom, Rule::chapter32},
+                                {Method::home_phantom, Rule::as_written},
+                                {Method::half_shell, Rule::lowest_cell},
+                                {Method::brute_force, Rule::lowest_cell}};
+
+}  // namespace octocell
