@@ -6,9 +6,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from statistics import median
 from typing import Any, NamedTuple
+
+import pandas as pd
 
 from octocell_report.context import Gpu, check_context, gpu_of
 from octocell_report.fields import (
@@ -38,6 +41,7 @@ from octocell_report.groups import group_of
 from octocell_report.motion import Motion, motion_of
 from octocell_report.plan import Plan, plan_of, variant_of
 from octocell_report.predicates import EXACT, Distances, distances_of, predicate_of
+from octocell_report.row_frame import labels, motion_frame, rows_frame, stages_frame
 
 SCHEMA = 2
 DEVICE_RUNS = ("cold_cache", "graph", "transfers")  # of backends on a device, beside cold and warm
@@ -125,6 +129,31 @@ class Result:
     absent: dict[str, str]  # backends that could not run at all, and why; they have no rows here
     gpu: Gpu | None = None  # that the device rows ran on
     variants: list[Row] = field(default_factory=list)  # planned rows with skips forbidden
+
+    @cached_property
+    def frame(self) -> pd.DataFrame:
+        """A line per row as users have them; row_frame.py lists the columns."""
+        return rows_frame(self, self.rows)
+
+    @cached_property
+    def variants_frame(self) -> pd.DataFrame:
+        """The same for planned rows with skips forbidden."""
+        return rows_frame(self, self.variants)
+
+    @cached_property
+    def stages(self) -> pd.DataFrame:
+        """A line per row and stage; row_frame.py lists the columns."""
+        return stages_frame(self.rows)
+
+    @cached_property
+    def motion_frames(self) -> pd.DataFrame:
+        """A line per row and frame of a moving scene; row_frame.py lists the columns."""
+        return motion_frame(self.rows)
+
+    @cached_property
+    def labels(self) -> dict[Impl, str]:
+        """One label per implementation, as short as it can be while no two are the same."""
+        return labels(self.impls)
 
     @property
     def impls(self) -> list[Impl]:

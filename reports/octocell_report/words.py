@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import math
 import textwrap
-from collections import defaultdict
 
 from octocell_report.load import Impl, Place, Result, Row
 
@@ -128,24 +127,7 @@ def short_reason(reason: str | None, width: int) -> str:
 
 def labels(result: Result) -> dict[Impl, str]:
     """One label per implementation, as short as it can be while no two are the same."""
-    methods: dict[tuple[str, str | None], set[str | None]] = defaultdict(set)
-    for impl in result.impls:
-        methods[impl.backend, impl.rule].add(impl.method)
-    threads = {impl.threads for impl in result.impls}
-
-    def label(impl: Impl) -> str:
-        words = [impl.backend]
-        if impl.rule and impl.method and len(methods[impl.backend, impl.rule]) > 1:
-            words.append(f"{impl.method}/{impl.rule}")
-        elif impl.rule or impl.method:
-            words.append(impl.rule or impl.method or "")
-        if impl.predicate:
-            words.append(impl.predicate)
-        if impl.threads != 1 and len(threads) > 1:
-            words.append(f"({impl.threads} threads)")
-        return " ".join(words)
-
-    return {impl: label(impl) for impl in result.impls}
+    return result.labels
 
 
 def variant(row: Row) -> str:

@@ -3,7 +3,9 @@ from __future__ import annotations
 
 import copy
 import gzip
+import math
 
+import pandas as pd
 import pytest
 
 from octocell_report import words
@@ -199,3 +201,54 @@ def test_a_packed_result_that_is_not_whole_is_named(tmp_path, content):
     path.write_bytes(content)
     with pytest.raises(ReportError, match=r"broken\.json\.gz: cannot be read: not a whole gzip"):
         load(path)
+
+
+def test_the_frame_has_a_line_for_every_row(every_case):
+    result = parse(every_case)
+    frame = result.frame
+    assert frame["name"].tolist() == [row["name"] for row in every_case["rows"]]
+    assert frame["label"].tolist() == [result.labels[known.impl] for known in result.rows]
+    for line, known in zip(frame.itertuples(), result.rows, strict=True):
+        assert (line.ran, line.counts) == (known.status != "skipped", known.counts)
+        assert line.ran == (not math.isnan(line.median_ms))
+    gas = frame[(frame["scene"] == "gas") & (frame["run"] == "warm") & frame["counts"]]
+    ours = gas[(gas["rule"] == "lowest_cell") & (gas["n"] == 1000)].iloc[0]
+    assert ours["median_ms"] == ours["round_ms"][1] and ours["rounds"] == 3
+    assert ours["ns_per_sphere"] == pytest.approx(ours["median_ms"] * 1000)
+    assert (ours["beyond_bytes"], ours["candidates_per_pair"]) == (96.0, 4.5)
+    none = frame[frame["n"] == 0]
+    assert none[["ns_per_sphere", "beyond_bytes", "candidates_per_pair"]].isna().all(axis=None)
+
+
+def test_whole_numbers_stay_exact_in_the_frame():
+    most = 2**63 - 1
+    frame = parse(
+        synthetic.document(
+            [group("gas", 1000)],
+            [row(candidates=most), row("fcl_a", None, None, candidates=None)],
+        )
+    ).frame
+    assert frame["candidates"].tolist() == [most, pd.NA]
+
+
+def test_stages_have_lines_of_their_own():
+    stages = parse(
+        one_row(
+            stage_ms={"resolve": [], "pair_tests": [2.0, 4.0, 3.0], "sort": [1.0]},
+            stage_bytes={"sort": 80},
+            fused={"resolve": "pair_tests"},
+        )
+    ).stages
+    assert stages["stage"].tolist() == ["sort", "pair_tests", "resolve"]
+    assert stages["median_ms"].tolist()[:2] == [1.0, 3.0]
+    assert stages["least_bytes"].tolist() == [80, pd.NA, pd.NA]
+    assert stages["fused_into"].tolist() == [None, None, "pair_tests"]
+
+
+def test_frames_of_motion_have_lines_of_their_own():
+    frames = {"scene": "gravity", "warmup_frames": 1, "frame_ms": [[9.0, 2.0], [7.0, 4.0]]}
+    result = parse(one_row(run="dynamic", frames=frames))
+    assert result.frame["motion"][0] == "gravity" and result.frame["round_ms"][0] == (2.0, 4.0)
+    moving = result.motion_frames
+    assert moving["warmup"].tolist() == [True, False]
+    assert moving["median_ms"].tolist() == [8.0, 3.0] and moving["max_ms"][0] == 9.0
