@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Rule as_written: the course text that started this project, to the letter. A negative control: it
-// loses pairs (docs/stages/2_cell_ids.md shows which and why), and the same ones on every backend.
+// Rule as_written: the text that started this project, followed word for word (the text of a
+// course). It is a negative control: it loses pairs (docs/stages/2_cell_ids.md shows which and
+// why), the same ones on every backend.
 //
-// Where the text leaves a choice, this one is pinned: cells of 1.5 r_max; coordinates truncated to
-// unsigned, negative ones saturating at 0; ids of 10-bit fields joined with OR; neighbours in
-// (dz, dy, dx) order, the first seven that the ball meets, the rest dropped.
+// Where the text leaves a choice, this file fixes one: cells of 1.5 r_max; coordinates truncated to
+// unsigned, negative ones saturating at 0; ids of 10-bit fields joined with OR; neighbours in (dz,
+// dy, dx) order, of which only the first seven that the ball meets are kept.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,8 @@ inline constexpr int kMaxPhantoms = 7;
 
 OCTOCELL_HD float cell_side(float r_max) { return 1.5F * r_max; }
 
-/// float to unsigned as CUDA converts it: toward zero, saturating. 0/0 (all radii zero) gives 0.
+/// Converts float to unsigned as CUDA does: toward zero, saturating. 0/0 (all radii are zero) gives
+/// 0.
 OCTOCELL_HD std::uint32_t saturated(float value) {
   if (!(value > 0.0F)) return 0;
   return value >= 4294967296.0F ? 0xffffffffU : static_cast<std::uint32_t>(value);
@@ -37,7 +39,7 @@ OCTOCELL_HD Coordinates home(const Sphere& s, float side) {
 
 OCTOCELL_HD std::uint32_t hash(Coordinates c) { return c.x | c.y << 10 | c.z << 20; }
 
-/// Distance from p to the slab [c * side, (c + 1) * side].
+/// Returns the distance from p to the slab [c * side, (c + 1) * side].
 OCTOCELL_HD float gap(float p, std::uint32_t c, float side) {
   const float low = static_cast<float>(c) * side;
   const float high = low + side;

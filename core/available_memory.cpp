@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Source of the files and their meaning: Linux, Documentation/admin-guide/cgroup-v1/memory.rst and
-// cgroup-v2.rst; proc(5).
+// Meaning of the files: Linux, Documentation/admin-guide/cgroup-v1/memory.rst and cgroup-v2.rst;
+// proc(5).
 #include "core/available_memory.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr double kGiB = 1073741824.0;
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// The number behind a word at the beginning of a line, "MemAvailable:  123 kB".
+/// Returns the number behind `word` at the beginning of a line, as in "MemAvailable:  123 kB".
 std::optional<double> number_after(const fs::path& file, std::string_view word) {
   std::ifstream text(file);
   for (std::string first; text >> first;) {
@@ -31,7 +31,7 @@ std::optional<double> number_after(const fs::path& file, std::string_view word) 
   return std::nullopt;
 }
 
-/// The one number in a file. "max" is no number.
+/// Returns the one number in a file; none for the word "max".
 std::optional<double> number_in(const fs::path& file) {
   std::ifstream text(file);
   double number = 0.0;
@@ -39,17 +39,18 @@ std::optional<double> number_in(const fs::path& file) {
   return std::nullopt;
 }
 
-/// How one version of control groups names things.
+/// The file names and words of one version of control groups.
 struct Version {
   const char* limit;
   const char* usage;
-  const char* inactive_cache;  // in memory.stat: of the usage, what the kernel takes back first
+  const char* inactive_cache;  // in memory.stat: the part of the usage that the kernel takes back
+                               // first
 };
 constexpr Version kFirst = {"memory.limit_in_bytes", "memory.usage_in_bytes",
                             "total_inactive_file"};
 constexpr Version kSecond = {"memory.max", "memory.current", "inactive_file"};
 
-/// What a group leaves of its limit; all, if it has none.
+/// Returns what a group leaves of its limit: everything if it has no limit.
 double left_in(const fs::path& group, const Version& version) {
   const std::optional<double> limit = number_in(group / version.limit);
   const std::optional<double> usage = number_in(group / version.usage);
@@ -58,8 +59,9 @@ double left_in(const fs::path& group, const Version& version) {
   return std::max(0.0, *limit - std::max(0.0, *usage - cache));
 }
 
-/// The least that a group and those around it leave. A container may see its own group as the
-/// root, under the name that it has outside: then there is no such folder, and the root counts.
+/// Returns the least that a group and the groups around it leave. A container may see its own group
+/// as the root, but under the name that the group has outside. Then no folder has that name, and
+/// only the root counts.
 double left_in_path(const fs::path& mount, const fs::path& group, const Version& version) {
   double left = left_in(mount, version);
   fs::path here = mount;

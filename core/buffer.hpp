@@ -10,14 +10,14 @@
 
 namespace octocell {
 
-/// Memory of the plan's size whose pages are touched only when they are written, so that room for
-/// the worst case costs nothing until it is needed. Large buffers ask for huge pages: what a first
-/// run writes to comes from the system page by page, and that took a third of its time
+/// Memory whose size the plan gives. Its pages are touched only when they are written, so room for
+/// the worst case costs nothing until it is needed. Large buffers ask for huge pages: the system
+/// hands a first run its memory page by page, and that took a third of the run's time
 /// (docs/decisions/0013-huge-pages.md).
 template <typename T>
 class Buffer {
  public:
-  /// Contents are lost when it grows; a smaller or equal capacity changes nothing.
+  /// Loses the contents if the buffer grows; a smaller or equal capacity changes nothing.
   void allocate(std::uint64_t capacity) {
     if (capacity <= capacity_ && data_) return;
     data_.reset();

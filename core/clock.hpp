@@ -9,30 +9,30 @@
 
 namespace octocell {
 
-/// What one find_pairs() took, in milliseconds. A stage that did not run has no time; a stage that
-/// ran inside another's kernel has no time of its own and names the stage that holds it.
+/// The times of one find_pairs(), in milliseconds. A stage that did not run has no time. A stage
+/// that ran inside another stage's kernel has no time of its own and names that stage.
 struct StageTimes {
   double total_ms = 0.0;
   std::array<std::optional<double>, kStageCount> stage_ms = {};
   std::array<std::optional<Stage>, kStageCount> fused_into = {};
 };
 
-/// Whether a clock takes the time of each stage, or of the whole only.
+/// Whether a clock times each stage, or only the total.
 enum class Marks : bool { off, on };
 
-/// Marks the ends of stages. The base class times nothing but the total.
+/// Marks the ends of stages.
 class StageClock {
  public:
   virtual ~StageClock() = default;
   virtual void start() = 0;
-  /// The stages first..last have just ended, in one piece of work. Never waits.
+  /// Notes that the stages first..last have just ended, in one piece of work. Must not wait.
   virtual void mark(Stage first, Stage last) = 0;
   void mark(Stage stage) { mark(stage, stage); }
-  /// The only call that may wait.
+  /// Returns the times. The only call that may wait.
   virtual StageTimes stop() = 0;
 };
 
-/// Wall-clock time of the host.
+/// Measures the host's wall-clock time.
 class HostClock final : public StageClock {
  public:
   explicit HostClock(Marks marks = Marks::on) : marks_(marks) {}

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How the bits of a key are cut into digits, one digit a pass.
+// How the bits of a key are cut into digits. Each pass of a sort handles one digit.
 #pragma once
 
 #include <array>
 
 namespace octocell {
 
-/// The digit of a key is key >> shift & (1 << width) - 1.
+/// The digit of a key is (key >> shift) & ((1 << width) - 1).
 struct Digit {
   int shift;
   int width;
@@ -15,19 +15,19 @@ struct Digit {
 struct DigitPlan {
   int passes = 0;
   std::array<Digit, 32> digits{};  // [passes], the lowest first
-  /// Of the widest digit; 0 where there is none.
+  /// Returns the width of the widest digit; 0 if there is none.
   [[nodiscard]] constexpr int width() const { return passes == 0 ? 0 : digits[0].width; }
 };
 
-/// How many digits of at most so many bits a key has.
+/// Returns how many digits of at most `digit_bits` bits a key has.
 constexpr int sort_passes(int key_bits, int digit_bits) {
   return (key_bits + digit_bits - 1) / digit_bits;
 }
 
-/// As few passes as digits of at most `widest` bits allow, since each pass moves every pair once;
-/// then digits as even as can be, since a bin costs the same however few keys fall into it:
-/// with `widest` 10, 17 bits are 9 + 8 and not 10 + 7, and 32 bits 8 + 8 + 8 + 8. The wider ones
-/// first.
+/// Plans as few passes as digits of at most `widest` bits allow, because each pass moves every pair
+/// once. Then makes the digits as even as possible, because a bin costs the same however few keys
+/// fall into it. With `widest` 10, 17 bits become 9 + 8 and not 10 + 7, and 32 bits 8 + 8 + 8 + 8.
+/// Wider digits come first.
 constexpr DigitPlan digit_plan(int bits, int widest) {
   DigitPlan plan;
   plan.passes = sort_passes(bits, widest);

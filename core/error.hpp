@@ -6,7 +6,7 @@
 
 namespace octocell {
 
-/// Whatever went wrong, what() is one line that says what and where.
+/// The base of all errors. what() is one line that says what went wrong and where.
 struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -3,9 +3,9 @@
 //
 //   OCTOCELL_FAULT(name, faulty, sound)  is  (sound)
 //
-// and nothing else, but in the build made for that question (OCTOCELL_FAULTS=ON). There it is
-// `faulty` when the environment variable OCTOCELL_FAULT has that name of fault_table.hpp. Kernels
-// are sound in either: a fault of a device's backend sits where the host hands over arguments.
+// means (sound) in every build except the one with OCTOCELL_FAULTS=ON. There it means `faulty` if
+// the environment variable OCTOCELL_FAULT holds that name (one of fault_table.hpp). Kernels are
+// always sound: a GPU backend's fault is planted in host code that passes arguments to a kernel.
 #pragma once
 
 #ifndef OCTOCELL_FAULTS

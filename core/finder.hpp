@@ -13,74 +13,78 @@
 
 namespace octocell {
 
-/// What a finder on a device can do besides. Each call follows an upload() whose find_pairs() was
-/// complete, has ended when it returns, and leaves the pairs where digest() and download() look.
+/// More that a finder on a GPU can do. Each call must follow an upload() whose find_pairs() was
+/// complete. When the call returns, its work has ended and the pairs are where digest() and
+/// download() read them.
 class DeviceRuns {
  public:
   virtual ~DeviceRuns() = default;
 
-  /// Untimed: pushes the scene and the work buffers out of the device's cache.
+  /// Untimed: evicts the scene and the work buffers from the device's cache.
   virtual void flush_cache() = 0;
 
-  /// All stages, recorded once as one graph and replayed; milliseconds on the device.
+  /// Records all stages once as one graph and replays it. Returns milliseconds on the device.
   virtual double replay_ms() = 0;
 
-  /// Spheres from pinned host memory, all stages, pairs back to pinned memory; milliseconds.
+  /// Copies spheres from pinned host memory, runs all stages and copies the pairs back to pinned
+  /// memory. Returns milliseconds.
   virtual double transfers_ms() = 0;
 };
 
-/// How much of the host's memory a run writes to [bytes].
+/// How many bytes of the host's memory a run writes.
 struct HostBytes {
   double fixed = 0.0;   // in every run
   double per_id = 0.0;  // of Capacities
   double per_cell = 0.0;
-  double per_pair = 0.0;  // or uncertain pair
+  double per_pair = 0.0;  // per pair or uncertain pair
 };
 
 /// Calls come in this order: upload, find_pairs (any number of times), counts, then download or
-/// digest. update may replace the spheres between two find_pairs.
+/// digest. update may replace the spheres between two calls of find_pairs.
 class PairFinder {
  public:
   virtual ~PairFinder() = default;
 
-  /// Allocates and copies; timed in cold runs only. Must not pre-sort: that belongs in
+  /// Allocates and copies. Timed only in cold runs. Must not pre-sort: that belongs in
   /// find_pairs().
   virtual void upload(const Plan& plan, SceneView scene) = 0;
 
-  /// The spheres have moved (same number). The next find_pairs() brings the standing structure up
-  /// to date instead of building one; a finder without one starts again.
+  /// Announces that the spheres have moved (their number is the same). The next find_pairs()
+  /// updates the finder's standing structure instead of building a new one; a finder without one
+  /// starts from scratch.
   virtual void update(SceneView scene) = 0;
 
-  /// Timed. Must not allocate, print or block, except to read which stages a frame on a device may
-  /// skip.
+  /// Finds the pairs; timed. Must not allocate, print or block, except to read which stages a GPU
+  /// frame may skip.
   virtual void find_pairs(StageClock& clock) = 0;
 
-  /// A clock that can time find_pairs(): the host's, or one of the device's. It must not outlive
+  /// Returns a clock that can time find_pairs(): the host's or the device's. It must not outlive
   /// the finder.
   virtual std::unique_ptr<StageClock> make_clock(Marks marks) {
     return std::make_unique<HostClock>(marks);
   }
 
-  /// Untimed: waits, and says what was met and what was too small.
+  /// Waits, then returns what was found and which buffers were too small. Untimed.
   virtual Counts counts() = 0;
 
-  /// Untimed: the pairs found, sorted, i < j; a pair reported twice stands there twice.
+  /// Returns the pairs found, sorted, with i < j; a pair found twice appears twice. Untimed.
   virtual std::vector<Pair> download() = 0;
 
-  /// Untimed: the same without a copy, if they lie in the host's memory anyway. Valid until the
-  /// next call of another function.
+  /// Returns the same, without a copy if the pairs are in the host's memory anyway. Valid until the
+  /// next call of another function. Untimed.
   virtual std::span<const Pair> sorted_pairs() {
     downloaded_ = download();
     return downloaded_;
   }
 
-  /// Untimed: count and checksum, wherever the pairs are. Works for count_only plans too.
+  /// Returns count and checksum, wherever the pairs are; also for count_only plans. Untimed.
   virtual PairDigest digest() = 0;
 
-  /// What runs with a plan need. Devices have limits of their own, which they know.
+  /// Returns what runs with a plan need. GPU memory is not included: a GPU backend checks it
+  /// itself.
   [[nodiscard]] virtual HostBytes host_bytes(const Plan&, SceneView) const { return {}; }
 
-  /// What else it can do on its device; none: it runs on the host, or offers no more.
+  /// Returns what else this finder can do on a GPU; null if it runs on the host or can do no more.
   virtual DeviceRuns* device_runs() { return nullptr; }
 
  private:
@@ -101,11 +105,13 @@ class GridPairFinder : public PairFinder {
 
  protected:
   [[nodiscard]] virtual Method method() const = 0;
-  /// The plan says that there are no pairs; bounds() has then left empty lists.
+  /// Returns true if the plan says that there are no pairs; bounds() has then left empty lists.
   [[nodiscard]] virtual bool nothing_to_find() const = 0;
-  /// True if cell_ids() checks what bounds() would, in its one reading of the spheres.
+  /// Returns true if cell_ids() also makes the checks of bounds(), so that the spheres are read
+  /// once.
   [[nodiscard]] virtual bool bounds_with_cell_ids() const { return false; }
-  /// Asked after bounds(), which may have found, or predicted, that there is nothing to do.
+  /// Returns whether a stage runs. Called after bounds(), which may find, or predict, that nothing
+  /// is left to do.
   [[nodiscard]] virtual bool runs(Stage stage) const {
     if (nothing_to_find()) return false;
     const bool is_grids = stage >= Stage::cell_ids && stage <= Stage::cell_index;
@@ -117,11 +123,12 @@ class GridPairFinder : public PairFinder {
   virtual void cell_index() = 0;
   virtual void pair_tests() = 0;
   virtual void resolve() = 0;
-  /// Asked at the end. Returns true if a skipped stage is needed after all; runs() then says so.
+  /// Returns true if a skipped stage is needed after all; runs() then allows it. Called at the end.
   virtual bool mispredicted() { return false; }
 
  private:
-  /// Those after bounds(). `first`: of the stages whose time ends with cell_ids().
+  /// Runs the stages after bounds(). The time that ends with cell_ids() belongs to the stages from
+  /// `first` on.
   void run_stages(StageClock& clock, Stage first) {
     if (runs(Stage::cell_ids)) {
       cell_ids();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which pairs count at all, wherever the two spheres are. Every implementation asks here, before it
-// looks for a pair's exact answer; only the reference has words of its own for it.
+// Which pairs count at all, wherever the two spheres are. Every implementation calls this code
+// before it decides a pair; only the reference has its own version.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@ OCTOCELL_HD bool is_static(Flags f) { return (f.word & 0x8000U) != 0; }
 OCTOCELL_HD std::uint32_t group_of(Flags f) { return f.word & kMaxGroup; }
 OCTOCELL_HD std::uint32_t mask_of(Flags f) { return f.word >> 16; }
 
-/// Not two static spheres, and each in a group that the other's mask names, as in Bullet's
-/// collision filter (btOverlappingPairCache::needsBroadphaseCollision).
+/// Returns true unless both are static, if each is in a group that the other's mask names; as in
+/// Bullet's collision filter (btOverlappingPairCache::needsBroadphaseCollision).
 OCTOCELL_HD bool may_collide(Flags a, Flags b) {
   return !(is_static(a) && is_static(b)) && (group_of(a) & mask_of(b)) != 0 &&
          OCTOCELL_FAULT(flags_one_way, true, (group_of(b) & mask_of(a)) != 0);
@@ -29,7 +29,7 @@ inline std::uint64_t count_static(std::span<const Flags> flags) {
   return static_cast<std::uint64_t>(std::ranges::count_if(flags, is_static));
 }
 
-/// The numbers of those that are not static.
+/// Returns the indices of the spheres that are not static.
 inline std::vector<std::uint32_t> movable_among(std::span<const Flags> flags) {
   std::vector<std::uint32_t> movable;
   for (std::uint32_t k = 0; k < flags.size(); ++k) {
@@ -38,8 +38,8 @@ inline std::vector<std::uint32_t> movable_among(std::span<const Flags> flags) {
   return movable;
 }
 
-/// False where it is certain that no two spheres may collide, so that nothing need be searched. One
-/// of two that may is not static; its group is in some mask, and its mask holds some group.
+/// Returns false only if no two spheres can collide, so that no search is needed. In a pair that
+/// may collide, one sphere is not static; its group is in some mask, and its mask names some group.
 inline bool some_may_collide(std::span<const Flags> flags) {
   if (flags.empty()) return true;
   std::uint32_t groups = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One source for host and device: the predicate and the cell formula are compiled by both.
+// Marks functions that are compiled for both host and device, as the predicate and the cell formula
+// are.
 #pragma once
 
 #include "core/ieee754.hpp"

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What the proofs assume of the compiler: each operation of IEEE 754, as written, in its own
-// precision, with subnormal numbers. Included by everything, so that nothing can be compiled else.
+// What the proofs assume of the compiler: each operation follows IEEE 754, as written, in its own
+// precision, with subnormal numbers. Every file includes this header, so no file can be compiled
+// otherwise.
 #pragma once
 
 #include <cfloat>
 
-// -ffast-math, its parts as g++ names them (clang++ names the first two only), and what older
-// nvcc's say of -use_fast_math; of newer ones' CMakeLists.txt looks at the flags.
+// Refuses -ffast-math, its parts as g++ names them (clang++ names only the first two), and the
+// macro that older nvcc versions define for -use_fast_math. Newer nvcc versions define none, so
+// CMakeLists.txt checks their flags.
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
     defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                     \
     defined(__NO_SIGNED_ZEROS__) || defined(__USE_FAST_MATH__)

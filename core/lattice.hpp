@@ -8,8 +8,8 @@
 
 namespace octocell {
 
-/// Is each of the four numbers a whole number of units? `units_per_length` is a power of two, so
-/// the products are exact: in float64 no float32 is too small or too large.
+/// Returns true if each of the four numbers is a whole number of units. `units_per_length` is a
+/// power of two, so the products are exact: float64 represents every float32 times any such power.
 OCTOCELL_HD bool lies_on_lattice(const Sphere& s, double units_per_length) {
   const auto is_whole = [units_per_length](float value) {
     const double units = static_cast<double>(value) * units_per_length;

@@ -19,7 +19,8 @@ inline constexpr Object kLowestMask = 7U << kLowestShift;
 inline constexpr Object kPhantom = 1U << 31;
 static_assert(kMaxSpheres == kIdMask + 1ULL);
 
-/// A sphere's word in `cell`, without kPhantom; `lowest` is the lowest cell that the sphere meets.
+/// Returns a sphere's word in `cell`, without kPhantom. `lowest` is the lowest cell that the sphere
+/// meets.
 OCTOCELL_HD Object object_of(std::uint32_t sphere, Cell cell, Cell lowest) {
   const Object at_lowest = (cell.x == lowest.x ? 1U : 0U) | (cell.y == lowest.y ? 2U : 0U) |
                            (cell.z == lowest.z ? 4U : 0U);

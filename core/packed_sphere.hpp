@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A sphere in eight bytes: place and radius in units of 2^k, sixteen bits each.
+// A sphere in eight bytes: position and radius in units of 2^k, sixteen bits each.
 //
-// Places are relative to a cell that repeats in space, so that sixteen bits are enough anywhere: a
-// difference is taken modulo the cell, which gives the true one wherever two spheres are less than
-// half a cell apart. Neighbours need no offset, whichever cells they lie in. A packing makes that
-// half a cell at least twice the greatest sum of radii, so that spheres that overlap are always so
-// near.
+// Positions are relative to a cell that repeats in space, so sixteen bits are enough anywhere. A
+// difference is taken modulo the cell; it is the true one if two spheres are less than half a cell
+// apart. So no offset has to be stored, whichever cells the two spheres lie in. Half a cell is at
+// least twice the largest sum of two radii, so spheres that overlap are always that close.
 #pragma once
 
 #include <cmath>
@@ -25,10 +24,10 @@ struct PackedSphere {
 };
 static_assert(sizeof(PackedSphere) == 8);
 
-/// The unit of a scene.
+/// The unit of a scene's packed spheres.
 struct Packing {
   float units_per_length = 1.0F;  // 2^-k
-  float half_cell = 0.0F;         // in scene units; infinite where none is so large
+  float half_cell = 0.0F;         // in scene units; infinite if no float is large enough
 };
 
 OCTOCELL_HD bool are_near(const Sphere& a, const Sphere& b, const Packing& packing) {
@@ -36,13 +35,13 @@ OCTOCELL_HD bool are_near(const Sphere& a, const Sphere& b, const Packing& packi
          fabsf(a.z - b.z) < packing.half_cell;
 }
 
-/// Integers: a cell is 2^16 units.
+/// 16-bit integers: a cell is 2^16 units wide.
 namespace q16 {
 
 inline constexpr float kUnitsPerCell = 65536.0F;
 
-/// floor(value * 2^-k) modulo 2^16. The product is exact, or too small for a float and counted as
-/// zero, or so large that it is a multiple of 2^16.
+/// Returns floor(value * 2^-k) modulo 2^16. The product is either exact, or too small for a float
+/// (then it counts as zero), or so large that it is a multiple of 2^16.
 OCTOCELL_HD std::uint16_t place(float value, const Packing& packing) {
   const float units = value * packing.units_per_length;
   if (!(fabsf(units) < 0x1p40F)) return 0;
@@ -51,30 +50,30 @@ OCTOCELL_HD std::uint16_t place(float value, const Packing& packing) {
   return static_cast<std::uint16_t>(static_cast<std::int32_t>(in_cell));
 }
 
-/// The radius to the nearest unit.
+/// Returns the radius, rounded to the nearest unit.
 OCTOCELL_HD std::uint16_t nearest_radius(float r, const Packing& packing) {
   return static_cast<std::uint16_t>(
       static_cast<std::int32_t>(floorf(r * packing.units_per_length + 0.5F)));
 }
-/// More than the radius.
+/// Returns an upper bound of the radius.
 OCTOCELL_HD std::uint16_t upper_radius(float r, const Packing& packing) {
   return static_cast<std::uint16_t>(
       static_cast<std::int32_t>(floorf(r * packing.units_per_length)) + 1);
 }
 
-/// b - a modulo the cell, in [-2^15, 2^15).
+/// Returns b - a modulo the cell, in [-2^15, 2^15).
 OCTOCELL_HD std::int32_t difference(std::uint16_t a, std::uint16_t b) {
   return static_cast<std::int16_t>(static_cast<std::uint16_t>(b - a));
 }
 
-/// At most the distance along an axis, in units: both places were rounded down.
+/// Returns a lower bound of the distance along an axis, in units: both positions were rounded down.
 OCTOCELL_HD std::int32_t least_distance(std::uint16_t a, std::uint16_t b) {
   const std::int32_t d = difference(a, b);
   const std::int32_t distance = d < 0 ? -d : d;
   return distance > 0 ? distance - 1 : 0;
 }
 
-/// Three squares of at most 2^30, in 32 bits without a sign.
+/// Compares squares. Three squares of at most 2^30 fit into 32 bits without a sign.
 OCTOCELL_HD bool within(std::int32_t dx, std::int32_t dy, std::int32_t dz,
                         std::int32_t radius_sum) {
   const auto square = [](std::int32_t v) {
@@ -93,18 +92,18 @@ OCTOCELL_HD bool may_overlap_exactly(const PackedSphere& a, const PackedSphere& 
 
 }  // namespace q16
 
-/// IEEE 754 binary16: a cell is four units, so that places lie in [-2, 2].
+/// IEEE 754 binary16: a cell is four units wide, so positions lie in [-2, 2].
 namespace f16 {
 
 inline constexpr float kUnitsPerCell = 4.0F;
 
-/// Rounded to nearest, ties to even. |value| < 65520.
+/// Rounds to nearest, ties to even. Needs |value| < 65520.
 OCTOCELL_HD std::uint16_t from_float(float value) {
   std::uint32_t bits;
   memcpy(&bits, &value, sizeof bits);
   const std::uint32_t sign = bits >> 16 & 0x8000U;
   bits &= 0x7fffffffU;
-  if (bits < 0x38800000U) {  // below 2^-14: a multiple of 2^-24, which 0.5 rounds to
+  if (bits < 0x38800000U) {  // below 2^-14, binary16 has steps of 2^-24: adding 0.5 rounds to them
     const float shifted = fabsf(value) + 0.5F;
     memcpy(&bits, &shifted, sizeof bits);
     return static_cast<std::uint16_t>(sign | (bits - 0x3f000000U));
@@ -122,12 +121,12 @@ OCTOCELL_HD float to_float(std::uint16_t half) {
   const std::uint32_t magnitude = (half & 0x7fffU) << 13;
   float value;
   memcpy(&value, &magnitude, sizeof value);
-  value *= 0x1p112F;  // the difference of the two exponents' biases
+  value *= 0x1p112F;  // corrects the exponent: the two formats' biases differ by 112
   return (half & 0x8000U) != 0 ? -value : value;
 #endif
 }
 
-/// value * 2^-k, less the nearest cell's corner.
+/// Returns value * 2^-k, relative to the nearest cell corner.
 OCTOCELL_HD std::uint16_t place(float value, const Packing& packing) {
   const float units = value * packing.units_per_length;
   if (!(fabsf(units) < 0x1p40F)) return 0;
@@ -142,7 +141,7 @@ OCTOCELL_HD float difference(float a, float b) {
   return d - kUnitsPerCell * rintf(d * (1.0F / kUnitsPerCell));
 }
 
-/// The arithmetic is float32: what sixteen bits lose is lost in the places.
+/// Computes in float32: only the positions lose bits to the 16-bit format.
 OCTOCELL_HD bool may_overlap(const PackedSphere& a, const PackedSphere& b) {
   const float dx = difference(to_float(a.x), to_float(b.x));
   const float dy = difference(to_float(a.y), to_float(b.y));

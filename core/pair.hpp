@@ -20,8 +20,9 @@ OCTOCELL_HD Pair make_pair_of(std::uint32_t a, std::uint32_t b) {
   return a < b ? Pair{a, b} : Pair{b, a};
 }
 
-/// A set of pairs in 16 bytes: how many, and a sum of mixed pairs that no order changes.
-/// A duplicate changes both, so equal digests mean equal multisets (up to a 2^-64 accident).
+/// Summarises a set of pairs in 16 bytes: their number, and a sum of mixed pairs that does not
+/// depend on their order. A duplicate changes both, so equal digests mean equal multisets (up to a
+/// 2^-64 accident).
 struct PairDigest {
   std::uint64_t count = 0;
   std::uint64_t checksum = 0;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How stage 5 looks at two spheres: the one place where a precision mode is chosen.
+// How stage 5 tests two spheres. This is the only place where a precision mode is chosen.
 //
-// A test has two steps. may_overlap() sees every candidate, so it decides what a candidate costs;
-// verdict_on() sees the few that pass, and says overlap, apart, or uncertain, which is for stage 6.
-// The predicate is what a user asks for; a plan turns it into the test that its scene needs.
+// A test has two steps. may_overlap() runs on every candidate, so it decides how much a candidate
+// costs. verdict_on() runs on the few that pass; it returns overlap, apart, or uncertain (left to
+// stage 6). The user chooses a predicate; the plan turns it into the test that the scene needs.
 #pragma once
 
 #include <array>
@@ -16,18 +16,19 @@
 
 namespace octocell {
 
-/// What is asked for. Only `exact` and `q16_exact` promise the exact pairs; the others show what
-/// giving that up buys, and costs.
+/// What the user chooses. Only `exact` and `q16_exact` promise the exact pairs; the others show
+/// what giving up exactness gains, and what it costs.
 enum class Predicate : std::uint8_t {
-  exact,      // float32 with a proved filter, uncertain pairs decided over the reals
+  exact,      // float32 with a proved filter; uncertain pairs are decided over the reals
   f32,        // |p - q|^2 <= (r_p + r_q)^2, all in float32
   f32_sqrt,   // |p - q| <= r_p + r_q, all in float32
   f64,        // float32 spheres, all in float64
-  aabb_only,  // boxes [p - r, p + r]: loses nothing, and takes corners for overlaps
-  f16_cell,   // places and radii kept in 16-bit floats, relative to a cell
-  q16_cell,   // places and radii kept in 16-bit integers, relative to a cell
-  q16_exact,  // the same, rounded so that nothing is lost; what passes is tested exactly
-  gram_f32,   // |p|^2 + |q|^2 - 2 p.q, all in float32, as units for products of matrices would
+  aabb_only,  // boxes [p - r, p + r]: loses no pair, but reports boxes that overlap only at corners
+  f16_cell,   // positions and radii as 16-bit floats, relative to a cell
+  q16_cell,   // positions and radii as 16-bit integers, relative to a cell
+  q16_exact,  // the same, rounded so that no pair is lost; candidates that pass are tested exactly
+  gram_f32,  // |p|^2 + |q|^2 - 2 p.q, all in float32, as hardware for matrix products would compute
+             // it
 };
 inline constexpr std::array<std::string_view, 9> kPredicateNames = {
     "exact",    "f32",      "f32_sqrt",  "f64",     "aabb_only",
@@ -40,10 +41,10 @@ constexpr bool claims_exact(Predicate p) {
 }
 
 enum class PairTest : std::uint8_t {
-  filter_fast,   // of predicate exact: radii in the range of Filter::fast
-  filter_safe,   // the same for any radii
-  filter_equal,  // as filter_fast, and all radii are one: what is compared with is a constant
-  f32,           // of its predicate; of exact, where a lattice makes float32 exact
+  filter_fast,   // for predicate exact: radii in the range of Filter::fast
+  filter_safe,   // for predicate exact: any radii
+  filter_equal,  // like filter_fast, but all radii are equal, so the right-hand side is a constant
+  f32,           // for predicate f32; for exact, if a lattice makes float32 exact
   f32_sqrt,
   f64,
   boxes,
@@ -53,26 +54,26 @@ enum class PairTest : std::uint8_t {
   gram,
 };
 
-/// It keeps spheres in 16 bits a number.
+/// Returns true if the test stores spheres with 16 bits a number.
 OCTOCELL_HD constexpr bool is_packed(PairTest t) {
   return t == PairTest::f16 || t == PairTest::q16 || t == PairTest::q16_exact;
 }
 
-/// It compares with one number, so it needs the radius of no sphere but one.
+/// Returns true if the test compares with one constant, so that it needs only one sphere's radius.
 OCTOCELL_HD constexpr bool has_one_radius(PairTest t) { return t == PairTest::filter_equal; }
 
-/// The filter of a test with one.
+/// Returns the filter of a test that has one.
 OCTOCELL_HD constexpr Filter filter_of(PairTest t) {
   return t == PairTest::filter_safe ? Filter::safe : Filter::fast;
 }
 
-/// It finds none, so stage 6 has nothing to do.
+/// Returns true if the test may leave uncertain pairs; otherwise stage 6 has nothing to do.
 OCTOCELL_HD constexpr bool has_uncertain_pairs(PairTest t) {
   return t <= PairTest::filter_equal || t == PairTest::q16_exact;
 }
 
-/// The radius as stage 5 keeps it in a float; once per sphere. Packed tests keep floats, too, for
-/// what passes.
+/// Returns the radius as stage 5 stores it in a float; called once per sphere. Packed tests store
+/// floats, too, for candidates that pass.
 template <PairTest test>
 OCTOCELL_HD float stored_radius(float r) {
   if constexpr (test == PairTest::filter_fast || test == PairTest::filter_equal) {
@@ -84,13 +85,13 @@ OCTOCELL_HD float stored_radius(float r) {
   }
 }
 
-/// The sphere as stage 5 keeps it in floats.
+/// Returns the sphere as stage 5 stores it in floats.
 template <PairTest test>
 OCTOCELL_HD Sphere stored(const Sphere& s) {
   return {s.x, s.y, s.z, stored_radius<test>(s.r)};
 }
 
-/// The sphere as a packed test keeps it.
+/// Returns the sphere as a packed test stores it.
 template <PairTest test>
 OCTOCELL_HD PackedSphere pack(const Sphere& s, const Packing& packing) {
   if constexpr (test == PairTest::f16) {
@@ -117,7 +118,8 @@ OCTOCELL_HD bool within_f64(const Sphere& a, const Sphere& b) {
   return dx * dx + dy * dy + dz * dz <= radius_sum * radius_sum;
 }
 
-/// Each end is rounded once, and rounding is monotone: boxes of spheres that overlap do, too.
+/// Each end is rounded once, and rounding is monotone. So if two spheres overlap, their boxes do,
+/// too.
 OCTOCELL_HD bool boxes_meet(const Sphere& a, const Sphere& b) {
   return a.x - a.r <= b.x + b.r && b.x - b.r <= a.x + a.r &&  //
          a.y - a.r <= b.y + b.r && b.y - b.r <= a.y + a.r &&  //
@@ -134,7 +136,7 @@ OCTOCELL_HD bool within_gram(const Sphere& a, const Sphere& b) {
 
 }  // namespace pair_tests
 
-/// Of tests that are not packed. True for every pair that the test takes for an overlap.
+/// Returns true for every pair that the test takes for an overlap. For tests that are not packed.
 template <PairTest test>
 OCTOCELL_HD bool may_overlap(const Sphere& a, const Sphere& b) {
   static_assert(!is_packed(test), "packed spheres have may_overlap() of their own");
@@ -142,14 +144,14 @@ OCTOCELL_HD bool may_overlap(const Sphere& a, const Sphere& b) {
   if constexpr (test == PairTest::f64) return pair_tests::within_f64(a, b);
   if constexpr (test == PairTest::boxes) return pair_tests::boxes_meet(a, b);
   if constexpr (test == PairTest::gram) return pair_tests::within_gram(a, b);
-  return filter_may_overlap(a, b);  // f32, too: its radii have not grown
+  return filter_may_overlap(a, b);  // includes f32, whose stored radii are not enlarged
 }
 
-/// What is to be said of two that passed. `packing` is that of a packed test.
+/// Decides a pair that passed may_overlap(). `packing` belongs to a packed test.
 template <PairTest test>
 OCTOCELL_HD Verdict verdict_on(const Sphere& a, const Sphere& b, const Packing& packing) {
   if constexpr (test == PairTest::f16 || test == PairTest::q16) {
-    // Their cells repeat; what is far away was taken for near by them.
+    // Packed cells repeat in space: spheres that are far apart may have looked near.
     return are_near(a, b, packing) ? Verdict::overlap : Verdict::apart;
   }
   if constexpr (test == PairTest::q16_exact) {
@@ -161,13 +163,13 @@ OCTOCELL_HD Verdict verdict_on(const Sphere& a, const Sphere& b, const Packing& 
   return filter_is_sure<filter>(a, b) ? Verdict::overlap : Verdict::uncertain;
 }
 
-#ifdef __CUDACC__  // `run` may be of the host or of the device, as its caller is
+#ifdef __CUDACC__  // `run` may be a function of the host or of the device, like its caller
 #define OCTOCELL_CALLS_EITHER _Pragma("nv_exec_check_disable")
 #else
 #define OCTOCELL_CALLS_EITHER
 #endif
 
-/// Calls run.operator()<test>() for the test that a plan has.
+/// Calls run.operator()<test>() for the plan's test.
 OCTOCELL_CALLS_EITHER
 template <typename Run>
 OCTOCELL_HD decltype(auto) with_pair_test(PairTest test, Run&& run) {
@@ -198,7 +200,7 @@ OCTOCELL_HD decltype(auto) with_pair_test(PairTest test, Run&& run) {
   return run.template operator()<PairTest::gram>();
 }
 
-/// The same where only tests with a filter can occur.
+/// Does the same if only tests with a filter can occur.
 template <typename Run>
 decltype(auto) with_filter_test(PairTest test, Run&& run) {
   if (test == PairTest::filter_fast) return run.template operator()<PairTest::filter_fast>();

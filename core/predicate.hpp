@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Do two spheres overlap?  |p - q|^2 <= (r_p + r_q)^2, decided over the reals.
 //
-// Three levels, each certain when it answers (proofs: docs/exactness.md):
+// Three levels, each certain when it decides (proofs: docs/exactness.md):
 //   1. float32 with a filter: "apart", "overlap", or "uncertain" (few in a million; all ties)
 //   2. float64 with an error bound, then with error-free transformations: exact or "uncertain"
 //   3. integers: every finite float32 is a multiple of 2^-149
-// Compiled without contraction (-ffp-contract=off): level 2 needs the operations as written.
+// Compiled without contraction (-ffp-contract=off): level 2 needs each operation as written.
 #pragma once
 
 #include <cmath>
@@ -20,21 +20,22 @@ namespace octocell {
 
 enum class Verdict : std::uint8_t { apart, overlap, uncertain };
 
-/// Level 1 has two forms. `fast` needs every nonzero radius in [2^-60, 2^62]; `safe` needs nothing.
+/// Level 1 has two forms. `fast` needs every nonzero radius in [2^-60, 2^62]; `safe` has no
+/// condition.
 enum class Filter : std::uint8_t { fast, safe };
 
 inline constexpr float kFastRadiusMin = 0x1p-60F;
 inline constexpr float kFastRadiusMax = 0x1p62F;
 
-// With u = 2^-24: radii grow by 6u, so that H below is >= R (1 + 7u) and D > H proves "apart"
-// (D carries at most 5 roundings); D < H (1 - 24u) proves "overlap".
+// With u = 2^-24, radii grow by 6u. Then H (below) is >= R (1 + 7u), so D > H proves "apart" (D
+// carries at most 5 roundings), and D < H (1 - 24u) proves "overlap".
 inline constexpr float kRadiusGrowth = 0x1.000006p0F;
 inline constexpr float kSureFraction = 0x1.ffffd0p-1F;
-inline constexpr float kSafeRadiusFloor = 0x1p-62F;  // keeps H clear of underflow
-inline constexpr float kSafeSureFloor = 0x1p-70F;    // below it D may have lost bits
+inline constexpr float kSafeRadiusFloor = 0x1p-62F;  // keeps H away from underflow
+inline constexpr float kSafeSureFloor = 0x1p-70F;    // below it, D may have lost bits
 inline constexpr float kFloatMax = 0x1.fffffep127F;
 
-/// The radius as level 1 uses it; once per sphere.
+/// Returns the radius as level 1 uses it; called once per sphere.
 template <Filter filter>
 OCTOCELL_HD float filter_radius(float r) {
   const float grown = r * OCTOCELL_FAULT(filter_growth_too_small, 0x1.000004p0F, kRadiusGrowth);
@@ -43,7 +44,8 @@ OCTOCELL_HD float filter_radius(float r) {
                         grown < kSafeRadiusFloor ? kSafeRadiusFloor : grown);
 }
 
-/// D: the squared distance in float32, any order, with or without FMA.
+/// Returns D, the squared distance in float32. The proofs hold for any order of the sums, with or
+/// without FMA.
 OCTOCELL_HD float filter_distance2(const Sphere& a, const Sphere& b) {
   const float dx = a.x - b.x;
   const float dy = a.y - b.y;
@@ -51,22 +53,22 @@ OCTOCELL_HD float filter_distance2(const Sphere& a, const Sphere& b) {
   return dx * dx + dy * dy + dz * dz;
 }
 
-/// True for every overlapping pair, and for almost no other.
-/// `a.r` and `b.r` are filter radii.
+/// Returns true for every overlapping pair, and for almost no other. `a.r` and `b.r` are filter
+/// radii.
 OCTOCELL_HD bool filter_may_overlap(const Sphere& a, const Sphere& b) {
   const float radius_sum = a.r + b.r;
   return OCTOCELL_FAULT(filter_touching_apart, filter_distance2(a, b) < radius_sum * radius_sum,
                         !(filter_distance2(a, b) > radius_sum * radius_sum));
 }
 
-/// D below it proves "overlap", for `radius_sum2` = H.
+/// Returns the bound below which D proves "overlap", for `radius_sum2` = H.
 template <Filter filter>
 OCTOCELL_HD float filter_sure_below(float radius_sum2) {
   const float finite = filter == Filter::fast || radius_sum2 < kFloatMax ? radius_sum2 : kFloatMax;
   return finite * OCTOCELL_FAULT(filter_sure_fraction_too_large, 0x1.ffffd4p-1F, kSureFraction);
 }
 
-/// For pairs that may overlap: is it certain?  `a.r` and `b.r` are filter radii.
+/// Returns true if a pair that may overlap certainly does. `a.r` and `b.r` are filter radii.
 template <Filter filter>
 OCTOCELL_HD bool filter_is_sure(const Sphere& a, const Sphere& b) {
   const float radius_sum = a.r + b.r;
@@ -76,7 +78,7 @@ OCTOCELL_HD bool filter_is_sure(const Sphere& a, const Sphere& b) {
   return OCTOCELL_FAULT(filter_no_sure_floor, true, radius_sum2 >= kSafeSureFloor) && sure;
 }
 
-/// All of level 1, for two spheres with radii of their own.
+/// Runs all of level 1 for two spheres with their original radii.
 template <Filter filter>
 OCTOCELL_HD Verdict filter_verdict(Sphere a, Sphere b) {
   a.r = filter_radius<filter>(a.r);
@@ -85,7 +87,7 @@ OCTOCELL_HD Verdict filter_verdict(Sphere a, Sphere b) {
   return filter_is_sure<filter>(a, b) ? Verdict::overlap : Verdict::uncertain;
 }
 
-/// May a sphere of that radius be asked about in the fast filter?
+/// Returns true if the fast filter may be used for a sphere of that radius.
 OCTOCELL_HD bool in_fast_range(float r) {
   return r == 0.0F || (r >= kFastRadiusMin && r <= kFastRadiusMax);
 }
@@ -111,22 +113,23 @@ OCTOCELL_HD Real square_error(Real a, Real square) {
   return fma(a, a, -square);
 }
 
-/// Both sides of level 2 carry at most 8 roundings of 2^-53; ten leave room for the second order.
+/// Both sides of level 2 carry at most 8 roundings of 2^-53; a factor of ten leaves room for
+/// second-order terms.
 template <typename Real>
 OCTOCELL_HD Real float64_bound(Real radius_sum2) {
   return OCTOCELL_FAULT(float64_bound_too_small, 1.0, 10.0) * 0x1p-53 * radius_sum2;
 }
 
-/// Level 2 for two spheres, or, with a vector of float64 as `Real`, for as many at once. float32
-/// inputs can neither overflow nor underflow here (squares lie in 2^-298..2^260).
+/// Level 2 for two spheres; or for several pairs at once, with a vector of float64 as `Real`.
+/// float32 inputs can neither overflow nor underflow here (squares lie in 2^-298..2^260).
 template <typename Real>
 struct Float64Test {
   Real distance2;    // D
   Real radius_sum;   // the sum of the radii
   Real radius_sum2;  // R
   Real excess;       // D - R
-  Real bound;        // beyond it the sign of the excess is certain
-  Real rounding;     // the magnitudes of all rounding errors; zero: all of these are exact
+  Real bound;        // beyond it, the sign of the excess is certain
+  Real rounding;     // sum of the magnitudes of all rounding errors; if zero, D and R are exact
 
   OCTOCELL_HD Float64Test(Real ax, Real ay, Real az, Real ar, Real bx, Real by, Real bz, Real br) {
     using std::abs;
@@ -172,7 +175,7 @@ struct Square {
   std::uint32_t limb[2 * kLimbs];
 };
 
-/// |value| as an integer: the significand, shifted by the exponent.
+/// Returns |value| as an integer: the significand, shifted by the exponent.
 OCTOCELL_HD Fixed fixed_magnitude(float value) {
   std::uint32_t bits;
   memcpy(&bits, &value, sizeof bits);
@@ -219,7 +222,7 @@ OCTOCELL_HD Fixed absolute_difference(const Fixed& a, const Fixed& b) {
   return difference;
 }
 
-/// |p - q| for two coordinates of any sign.
+/// Returns |p - q| for two coordinates of any sign.
 OCTOCELL_HD Fixed distance_along_axis(float p, float q) {
   const Fixed a = fixed_magnitude(p);
   const Fixed b = fixed_magnitude(q);
@@ -269,7 +272,7 @@ OCTOCELL_HD bool integer_test(const Sphere& a, const Sphere& b) {
 
 }  // namespace exact
 
-/// Levels 2 and 3: the answer for any two finite spheres with r >= 0.
+/// Levels 2 and 3: returns the answer for any two finite spheres with r >= 0.
 OCTOCELL_HD bool overlap_exact(const Sphere& a, const Sphere& b) {
   const Verdict verdict = exact::float64_test(a, b);
   if (verdict != Verdict::uncertain) return verdict == Verdict::overlap;

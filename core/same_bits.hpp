@@ -10,7 +10,8 @@
 
 namespace octocell {
 
-/// Bit for bit: -0 is not 0, and a NaN is itself. The two halves, compared without a branch.
+/// Compares bit for bit: -0 differs from 0, and a NaN equals itself. Compares two halves without a
+/// branch.
 OCTOCELL_HD bool same_bits(const Sphere& a, const Sphere& b) {
   std::uint64_t x[2];
   std::uint64_t y[2];

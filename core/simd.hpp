@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Numbers side by side, by the library's vectors.
+// Vectors of numbers for SIMD, from the standard library.
 #pragma once
 
 #include <cstdint>
 
-// GCC 12 takes its own "undefined" vectors for mistakes of ours (GCC bug 105593).
+// GCC 12 warns about vectors that its own header leaves undefined (GCC bug 105593).
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wuninitialized"
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"

@@ -8,7 +8,7 @@
 
 namespace octocell {
 
-/// One sphere, in the scene's own unit of length. Valid: all four finite, r >= 0.
+/// One sphere, in the scene's own unit of length. Valid if all four numbers are finite and r >= 0.
 struct Sphere {
   float x;
   float y;
@@ -25,7 +25,7 @@ inline constexpr std::uint64_t kMaxSpheres = std::uint64_t{1} << 28;
 ///   bit  15     static: two static spheres are no pair
 ///   bits 16-31  mask: the groups that it collides with; the highest bit is no group's
 struct Flags {
-  std::uint32_t word = 0xffff0001U;  // as if there were none: not static, group 1, mask all
+  std::uint32_t word = 0xffff0001U;  // the default: not static, group 1, mask all
   friend constexpr bool operator==(Flags, Flags) = default;
 };
 static_assert(sizeof(Flags) == 4, "files and devices read flags as words");
@@ -37,10 +37,11 @@ constexpr Flags make_flags(bool is_static, std::uint32_t group, std::uint32_t ma
   return {mask << 16 | (is_static ? 0x8000U : 0U) | group};
 }
 
-/// What a finder is given. It is only looked at; it must outlive the finder's next find_pairs().
+/// What a finder is given. The finder only reads it; it must stay valid until the next find_pairs()
+/// ends.
 struct SceneView {
   std::span<const Sphere> spheres;    // [count], count <= kMaxSpheres
-  std::span<const Flags> flags = {};  // [count] by id; or none, and every pair may collide
+  std::span<const Flags> flags = {};  // [count] by id; or empty: then every pair may collide
 };
 
 }  // namespace octocell

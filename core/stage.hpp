@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The spine. These words are file stems, function names, timer labels, JSON keys, report columns
-// and chapter names; tests/layout/test_layout.py keeps it so.
+// The stages. Their names are file stems, function names, timer labels, JSON keys, report columns
+// and chapter names; tests/layout/test_layout.py checks that.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ enum class Stage : std::uint8_t {
   cell_index,
   pair_tests,
   resolve,
-  // baselines: make the structure from nothing, bring it up to date, ask it for all pairs
+  // baselines: build the structure, update it, query it for all pairs
   build,
   update,
   query,

@@ -14,7 +14,8 @@ std::string escaped(char byte) {
   return fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
 }
 
-/// Neither a control character, nor a mark that turns the direction of what follows.
+/// Returns false for control characters and for marks that change the direction of the text behind
+/// them.
 bool is_shown(boost::locale::utf::code_point point) {
   const auto is_from = [point](std::uint32_t first, std::uint32_t last) {
     return point >= first && point <= last;
@@ -41,7 +42,9 @@ std::string printable(std::string_view text) {
   for (auto next = text.begin(); next != text.end();) {
     auto end = next;
     const boost::locale::utf::code_point point = Utf8::decode(end, text.end());
-    if (!boost::locale::utf::is_valid_codepoint(point)) end = next + 1;  // one byte that is none
+    if (!boost::locale::utf::is_valid_codepoint(point))
+      end = next + 1;  // one byte that is not
+                       // UTF-8
     if (is_shown(point)) {
       shown.append(next, end);
     } else {

@@ -7,11 +7,11 @@
 
 namespace octocell {
 
-/// `text` in quotes, short, with anything but printable ASCII escaped: safe on a terminal.
+/// Quotes and shortens `text`, and escapes everything but printable ASCII: safe on a terminal.
 std::string quote(std::string_view text);
 
-/// `text` as it may be shown: line breaks, other control characters and bytes that are not UTF-8
-/// are escaped as \xNN, so that no name makes two lines, moves a cursor or spoils JSON.
+/// Escapes line breaks, other control characters and bytes that are not UTF-8 as \xNN, so that no
+/// name can start a new line, move the cursor or break JSON.
 std::string printable(std::string_view text);
 
 std::string_view trim(std::string_view text);  // blanks, tabs and carriage returns

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Calls of the CUDA runtime, and what happens when one fails; device memory; a clock made of
-// events. Empty without nvcc.
+// Calls of the CUDA runtime with their error handling, device memory, and a clock made of events.
+// Empty without nvcc.
 #pragma once
 
 #ifdef __CUDACC__
@@ -19,21 +19,21 @@
 
 namespace octocell::cuda {
 
-/// Throws Error with CUDA's words and the place of the call.
+/// Throws Error with CUDA's own message and the place of the call.
 inline void check(cudaError_t result,
                   const std::source_location& place = std::source_location::current()) {
   if (result == cudaSuccess) return;
-  cudaGetLastError();  // the next call starts clean, where the device can still be used
+  cudaGetLastError();  // clears the error, so that the next call does not report it again
   throw Error(std::string("CUDA: ") + cudaGetErrorString(result) + " (" + place.file_name() + ":" +
               std::to_string(place.line()) + ")");
 }
 
-/// To follow every kernel launch.
+/// Throws if a kernel launch failed; must follow every launch.
 inline void check_launch(const std::source_location& place = std::source_location::current()) {
   check(cudaGetLastError(), place);
 }
 
-/// Nothing if there is a CUDA device that works, else why not. Looks once.
+/// Returns the reason why no CUDA device can be used; none if one can. Looks only once.
 inline std::optional<std::string> why_no_device() {
   static const std::optional<std::string> reason = []() -> std::optional<std::string> {
     int count = 0;
@@ -58,7 +58,7 @@ inline void require_memory(std::uint64_t bytes) {
 }
 
 struct Memory {
-  /// Throws LimitError that says how much was asked for.
+  /// Throws LimitError that says how much memory was requested.
   static char* allocate(std::size_t bytes) {
     void* memory = nullptr;
     const cudaError_t result = cudaMalloc(&memory, bytes);
@@ -77,7 +77,7 @@ struct Memory {
   }
 };
 
-/// Memory on the device, of the plan's size. As Buffer: contents are lost when it grows.
+/// Device memory whose size the plan gives. Like Buffer, it loses its contents when it grows.
 template <typename T>
 class DeviceArray {
  public:
@@ -116,7 +116,7 @@ class Event {
 
   void record(cudaStream_t stream) { check(cudaEventRecord(event_, stream)); }
   void wait() const { check(cudaEventSynchronize(event_)); }
-  /// Both must have passed.
+  /// Returns the time between two events; the device must have passed both.
   [[nodiscard]] double milliseconds_since(const Event& earlier) const {
     float milliseconds = 0.0F;
     check(cudaEventElapsedTime(&milliseconds, earlier.event_, event_));
@@ -127,7 +127,7 @@ class Event {
   cudaEvent_t event_ = nullptr;
 };
 
-/// Time on the device, between events in the stream that the stages are queued on.
+/// Measures time on the device, between events in the stream that the stages are queued on.
 class EventClock final : public StageClock {
  public:
   EventClock(cudaStream_t stream, Marks marks) : stream_(stream), marks_(marks) {}
@@ -173,7 +173,7 @@ class EventClock final : public StageClock {
   Marks marks_;
   Event begin_;
   Event end_;
-  std::array<Marked, 2 * kStageCount> marked_;  // of stages that run twice, too
+  std::array<Marked, 2 * kStageCount> marked_;  // twice: a mispredicted frame runs its stages again
   std::size_t mark_count_ = 0;
 };
 

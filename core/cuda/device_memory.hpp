@@ -6,7 +6,7 @@
 
 namespace octocell {
 
-/// How much device memory this program holds, and the most that it held since forget_peak().
+/// Counts how much device memory this program holds, and the most it has held since forget_peak().
 class DeviceMemory {
  public:
   [[nodiscard]] static std::uint64_t in_use() { return in_use_.load(); }

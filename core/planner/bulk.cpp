@@ -8,18 +8,19 @@
 namespace octocell {
 namespace {
 
-/// The box of all must be so many times wider, or cells would gain too little to be worth a look.
+/// The box of all centres must be this many times wider than the bulk, or cells would gain too
+/// little.
 constexpr double kFar = 16.0;
-/// An axis whose box is less than so many times wider is left as it is.
+/// An axis keeps its whole box unless that is this many times wider than the bulk.
 constexpr double kNearly = 4.0;
-/// So many spheres show whether it is worthwhile to look at the whole sample.
+/// This many spheres show whether it is worth sorting the whole sample.
 constexpr std::size_t kGlance = 64;
-/// Parts of the sample that count as outliers on either side of an axis.
+/// Parts of the sample that count as outliers at either end of an axis.
 constexpr std::array<double, 3> kOutside = {1.0 / 64, 1.0 / 16, 1.0 / 4};
-/// Three widths of what is between them is how far the bulk may reach: a uniform one by far, a
-/// Gaussian one except for a few in a million.
+/// The bulk may extend this many widths beyond the interval between the outliers: that holds a
+/// uniform distribution easily, and a Gaussian one except for a few in a million.
 constexpr double kSpread = 3.0;
-/// Of the width of the sample's box, on either side: it lacks the spheres that are farthest out.
+/// Added on either side, as a part of the sample's width: the sample lacks the outermost spheres.
 constexpr double kMargin = 0.125;
 
 struct Interval {
@@ -34,7 +35,7 @@ Interval all_of(const PlanFacts& facts, int axis) {
 
 double coordinate(const Sphere& s, int axis) { return axis == 0 ? s.x : axis == 1 ? s.y : s.z; }
 
-/// Sorted coordinates of every so-manieth sphere.
+/// Returns the sorted coordinates of every `stride`-th sphere.
 std::vector<double> coordinates(const std::vector<Sphere>& sample, int axis, std::size_t stride) {
   std::vector<double> values;
   values.reserve(sample.size() / stride + 1);
@@ -45,13 +46,13 @@ std::vector<double> coordinates(const std::vector<Sphere>& sample, int axis, std
   return values;
 }
 
-/// Without that part of the values on either side.
+/// Returns the interval without the part `outside` of the values at either end.
 Interval middle(const std::vector<double>& sorted, double outside) {
   const auto cut = static_cast<std::size_t>(outside * static_cast<double>(sorted.size()));
   return {sorted[cut], sorted[sorted.size() - 1 - cut]};
 }
 
-/// Half of the spheres lie so close together that others are far away.
+/// Returns true if half of the spheres lie very close together compared with the box of all.
 bool is_worth_a_look(const PlanFacts& facts, const std::vector<Sphere>& sample) {
   for (int a = 0; a < 3; ++a) {
     const std::vector<double> few =
@@ -61,7 +62,7 @@ bool is_worth_a_look(const PlanFacts& facts, const std::vector<Sphere>& sample) 
   return false;
 }
 
-/// What the bulk takes of an axis.
+/// Returns the interval of the bulk along an axis.
 Interval bulk_of_axis(const Interval& all, const std::vector<double>& sorted, double outside) {
   const Interval core = middle(sorted, outside);
   const double spread = kSpread * core.width();

@@ -8,10 +8,10 @@
 
 namespace octocell {
 
-/// How often each cell id was met: open addressing, a quarter full at most.
+/// Counts how often each cell id was met. Open addressing, at most a quarter full.
 class CellCounter {
  public:
-  /// How often before this time.
+  /// Returns how often the id was met before, and counts this time.
   std::uint32_t count_before(std::uint32_t id) {
     std::size_t slot = id * 2654435761U >> (32 - kBits);  // Knuth's multiplicative hash
     while (slots_[slot].count != 0 && slots_[slot].id != id) slot = (slot + 1) % kSlots;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How large should a cell be?  Small cells: a sphere meets many, all sorted. Large cells: many
-// spheres share one, all pairs tested. Any size is correct for rule lowest_cell, so cost decides.
+// How large should a cell be?  With small cells, a sphere meets many, and all are sorted. With
+// large cells, many spheres share one, and all pairs are tested. Rule lowest_cell is correct for
+// any size, so cost decides.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -15,7 +16,7 @@ namespace {
 constexpr double kStep = 1.189207115002721;  // 2^(1/4)
 constexpr int kMaxSteps = 160;
 
-/// Of a sphere of that radius, wherever it lies: the cells that it is expected to meet.
+/// Returns how many cells a sphere of that radius is expected to meet, wherever it lies.
 double ids_of_one(const Grid& grid, double radius) {
   double ids = 1.0;
   for (const std::uint32_t along_axis : grid.cell_count) {
@@ -32,15 +33,15 @@ double expected_ids(const SceneStats& stats, const Grid& grid) {
   return ids;
 }
 
-/// Cells, or, where far ones share an id, ids.
+/// Returns the number of cells, or, if far cells share ids, of ids.
 double distinct_ids(const Grid& grid) {
   double cells = 1.0;
   for (const std::uint32_t along_axis : grid.cell_count) cells *= along_axis;
   return std::min(cells, std::ldexp(1.0, grid.key_bits));
 }
 
-/// Pairs of homes that share a cell, scaled up from the sample: sees crowding that an average over
-/// the scene's box does not.
+/// Returns how many pairs of homes share a cell, scaled up from the sample. The sample shows
+/// crowding that an average over the scene's box does not.
 double home_pairs_by_sample(const SceneStats& stats, const Grid& grid) {
   CellCounter counter;
   std::uint64_t pairs = 0;
@@ -73,7 +74,7 @@ SideRange sides_worth_trying(const SceneStats& stats) {
     return {std::max(extent * 0x1p-24, 0x1p-149), std::max(spacing, 0x1p-149)};
   }
   double smallest = 2.0 * facts.r_min_nonzero;
-  // Points among the others may be crowded however large the smallest of the others is.
+  // Points among larger spheres may be crowded, however large the smallest of those is.
   if (facts.r_min == 0.0F) smallest = std::min(smallest, std::max(spacing * 0x1p-8, 0x1p-149));
   return {smallest, std::max(12.0 * facts.r_max, spacing)};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The cells of a plan. As a rule they are laid over the box of all centres; where a few far away
-// would make them too coarse, over a box that holds nearly all.
+// Chooses the cells of a plan. Usually they are laid over the box of all centres. If a few centres
+// far away would make the cells too coarse, they are laid over a box that holds nearly all.
 #include "core/planner/choose_cells.hpp"
 
 #include <fmt/format.h>
@@ -13,10 +13,11 @@
 namespace octocell {
 namespace {
 
-/// Of the cost of cells over all centres; a plan is not changed for less.
+/// A part of the cost of cells over all centres: a plan must cost less than this to replace them.
 constexpr double kPays = 0.75;
 
-/// Sound only while a rounding of p +- S is small beside r_max (docs/exactness.md, claim C).
+/// The rule is correct only if the rounding of p +- S is small compared with r_max
+/// (docs/exactness.md, claim C).
 void require_chapter32(const PlanFacts& facts) {
   const double ulp = farthest_ulp(facts, chapter32::extent(facts.r_max));
   if (ulp <= facts.r_max / 2.0) return;
@@ -42,13 +43,13 @@ Grid choose_grid(const SceneStats& stats, const PlanOptions& options) {
     case Rule::as_written:
       break;
   }
-  Grid grid;  // its cells are as_written.hpp's own; the sort needs the key width
+  Grid grid;  // as_written.hpp has its own cells; the sort needs the key width
   grid.key_bits = as_written::kIdBits;
   grid.cell_side = as_written::cell_side(r_max);
   return grid;
 }
 
-/// Cells over the box of the centres.
+/// Chooses the cells for the box of the centres.
 void lay_cells(Plan& plan, const SceneStats& stats, const PlanOptions& options) {
   if (plan.method == Method::home_phantom) {
     plan.grid = choose_grid(stats, options);
@@ -66,7 +67,7 @@ void lay_cells(Plan& plan, const SceneStats& stats, const PlanOptions& options) 
   }
 }
 
-/// Are any cells right? Rule chapter32 needs homes that are not clamped.
+/// Returns true if any cells are correct. Rule chapter32 needs homes that are not clamped.
 bool is_free(const Plan& plan) {
   return plan.method == Method::half_shell ||
          (plan.method == Method::home_phantom && plan.rule == Rule::lowest_cell);

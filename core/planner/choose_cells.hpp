@@ -5,11 +5,11 @@
 
 namespace octocell {
 
-/// Of a plan that does not know its ids.
+/// The id bits of a plan that may not use how few the grid needs.
 inline constexpr int kIdBits = 32;
 
-/// Gives the plan, whose method is chosen, its grid or levels, and the bits of their ids. Throws
-/// LimitError where the rule's conditions do not hold.
+/// Gives the plan its grid or levels, and the bits of their ids; its method is already chosen.
+/// Throws LimitError if the rule's conditions do not hold.
 void choose_cells(Plan& plan, const SceneStats& stats, const PlanOptions& options);
 
 }  // namespace octocell

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the predicate that is asked for to the test that the scene needs.
+// Chooses the test that a scene needs for the predicate that the user chose.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace {
 PairTest exact_test(const SceneStats& stats, const PlanOptions& options) {
   const PlanFacts& facts = stats.facts;
   const Skips allowed = options.allowed;
-  // What moves does not stay on a lattice.
+  // Spheres that move do not stay on a lattice.
   if (facts.lattice_units_per_length != 0.0 && allowed.has(Skip::uncertain_pairs) &&
       !options.moving) {
     return PairTest::f32;
@@ -27,7 +27,7 @@ PairTest exact_test(const SceneStats& stats, const PlanOptions& options) {
   return equal ? PairTest::filter_equal : PairTest::filter_fast;
 }
 
-/// The finest unit in which `length` is at most so many.
+/// Returns the exponent of the finest unit in which `length` is at most 2^most_units_log2 units.
 int unit_exponent(double length, int most_units_log2) {
   int exponent = 0;
   std::frexp(length, &exponent);  // length < 2^exponent
@@ -70,12 +70,12 @@ PlanFacts needed_facts(PlanFacts facts, Predicate predicate, PairTest test) {
 Packing choose_packing(const PlanFacts& facts, PairTest test) {
   if (!is_packed(test)) return {};
   double widest = 2.0 * static_cast<double>(facts.r_max);
-  if (widest == 0.0) {  // points, of which only equal ones are pairs: any unit will do
+  if (widest == 0.0) {  // points: only equal ones are pairs, so any unit is right
     for (int a = 0; a < 3; ++a) {
       widest = std::max(widest, static_cast<double>(facts.highest[a]) - facts.lowest[a]);
     }
   }
-  // Sums of radii are at most a quarter of the cell: 2^16 units of integers, 4 of floats.
+  // The sum of two radii is at most a quarter of the cell: 2^16 units of integers, 4 of floats.
   const int exponent = unit_exponent(widest, test == PairTest::f16 ? 0 : 14);
   const double half_cell = std::ldexp(test == PairTest::f16 ? 2.0 : 32768.0, exponent);
   return {.units_per_length = static_cast<float>(std::ldexp(1.0, -exponent)),

@@ -5,13 +5,13 @@
 
 namespace octocell {
 
-/// The cheapest test that answers what the predicate asks for, for this scene.
+/// Returns the cheapest test that answers the predicate for this scene.
 PairTest choose_test(const SceneStats& stats, const PlanOptions& options);
 
-/// The facts without those that the test does not rest on: they need not be checked again.
+/// Returns only the facts that the test relies on; the others need not be checked again.
 PlanFacts needed_facts(PlanFacts facts, Predicate predicate, PairTest test);
 
-/// The units of a packed test; nothing for others.
+/// Returns the units of a packed test; nothing for other tests.
 Packing choose_packing(const PlanFacts& facts, PairTest test);
 
 }  // namespace octocell

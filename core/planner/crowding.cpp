@@ -10,8 +10,9 @@
 namespace octocell {
 namespace {
 
-/// Rows that hold spheres: as if spread evenly, or, where most ids stand for empty space, as the
-/// sample says. So many rows would have as many pairs of it in the same one.
+/// Returns how many rows hold spheres. Assumes an even spread. If most ids stand for empty space,
+/// uses the sample instead: the number of rows at which an even spread would put as many of its
+/// pairs into the same row.
 double filled_rows(const Level& level, const Members& members) {
   constexpr std::uint64_t kEnough = 20;
   const Grid& grid = level.grid;
@@ -46,8 +47,9 @@ std::uint32_t columns_per_cell(const Grid& grid) {
   return std::min(columns, grid.cell_count[0]);
 }
 
-/// Spheres of the level in a cell around one of them: as if spread evenly, or as the sample says.
-/// That is small, so it is asked for blocks of cells, the smallest in which enough of it meet.
+/// Returns how many spheres of the level lie in a cell around one of them, by an even spread or by
+/// the sample, whichever is more. A cell of the small sample holds few, so the sample is counted in
+/// blocks of cells, the smallest blocks in which enough of its spheres meet.
 double neighbours_in_cell(const Level& level, const Members& members) {
   constexpr std::uint64_t kEnough = 100;
   const Grid& grid = level.grid;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How close the spheres of a level would be to each other, as its sample says.
+// How close together the spheres of a level are, according to its sample.
 #pragma once
 
 #include <cstdint>
@@ -24,21 +24,22 @@ struct Members {
 
 Members members_of(const SceneStats& stats, Octaves octaves);
 
-/// How many make a cell as long as it is wide, or as long as the scene, where that is shorter.
+/// Returns how many columns make a cell as long as it is wide, or as long as the scene if that is
+/// shorter.
 std::uint32_t columns_per_cell(const Grid& grid);
 
 inline double rows_of_cells(const Grid& grid) {
   return static_cast<double>(grid.period(1)) * grid.period(2);
 }
 
-/// How close its spheres are to each other.
+/// How close together the spheres of a level are.
 struct Crowding {
-  double in_cell;      // spheres in a cell around one of them
-  double filled_rows;  // of rows of cells
+  double in_cell;      // spheres in the cell around one of them
+  double filled_rows;  // rows of cells that hold spheres
 };
 Crowding crowding_of(const Level& level, const Members& members);
 
-/// The first of the two alone.
+/// Returns only Crowding::in_cell.
 double neighbours_in_cell(const Level& level, const Members& members);
 
 }  // namespace octocell

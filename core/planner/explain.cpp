@@ -52,7 +52,7 @@ std::string method_of(const Plan& plan) {
   if (plan.method == Method::half_shell) return levels_of(plan.levels);
   if (plan.rule == Rule::as_written) {
     return fmt::format(
-        "home_phantom, rule as_written: the text's own cells of side {:g} (an "
+        "home_phantom, rule as_written: the text's own cells of side {:g} (a "
         "negative control: it loses pairs)",
         plan.grid.cell_side);
   }
@@ -74,7 +74,7 @@ std::string predicate_of(const Plan& plan) {
              : "float32 with a filter, without guards; uncertain pairs exactly";
 }
 
-/// What of the scene speaks for or against a skip.
+/// Returns the fact of the scene that speaks for or against a skip.
 std::string fact_of(Skip skip, const SceneStats& stats, const Plan& plan, bool taken) {
   const PlanFacts& f = stats.facts;
   switch (skip) {
@@ -109,16 +109,18 @@ std::string fact_of(Skip skip, const SceneStats& stats, const Plan& plan, bool t
                  : "the numbers lie on no lattice that is coarse enough";
     case Skip::passes:
     case Skip::sort:
-      return taken ? "these ids show it" : "the ids do not show it, or were not looked at";
+      return taken ? "the ids of this scene allow it"
+                   : "the ids do not allow it, or were not checked";
     case Skip::unchanged:
     case Skip::few_movers:
     case Skip::skin:
-      return plan.moving ? "looked at in every frame" : "one frame only";
+      return plan.moving ? "checked in every frame" : "one frame only";
   }
   return {};
 }
 
-/// The same scene, planned without that skip. None where that saves nothing or cannot be done.
+/// Returns the part of the time that a skip saves, from a plan of the same scene without it. None
+/// if it saves nothing or such a plan is refused.
 std::optional<double> saving_of(Skip skip, const SceneStats& stats, const Plan& plan,
                                 PlanOptions options) {
   const double cost = estimate_cost(stats, plan, options.costs);

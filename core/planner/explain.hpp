@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Why a plan is as it is, as EXPLAIN tells it of a query.
+// Explains why a plan is as it is, like EXPLAIN for a database query.
 #pragma once
 
 #include <optional>
@@ -10,35 +10,36 @@
 
 namespace octocell {
 
-/// One skip: taken or not, and what speaks for it.
+/// One skip: whether the plan takes it, and the reason.
 struct Decision {
   Skip skip = Skip::grid;
   bool taken = false;
-  std::string fact;  // what of this scene it rests on, or what stands against it
-  /// Part of the time without this skip that it is expected to save; none where the cost model does
-  /// not know.
+  std::string fact;  // the fact of this scene for or against it
+  /// The part of the time without this skip that it is expected to save; none if the cost model
+  /// does not cover it.
   std::optional<double> expected_saving = {};
-  std::optional<double> measured_saving = {};  // for the caller to fill in
+  std::optional<double> measured_saving = {};  // filled in by the caller
 };
 
 struct Explanation {
-  std::string scene;   // what was seen
-  std::string method;  // what was chosen, and its cells
+  std::string scene;   // the scene that was measured
+  std::string method;  // the method and its cells
   std::string sort;
   std::string predicate;
-  std::vector<Decision> decisions;    // one a skip, in the order of Skip
-  std::vector<std::string> warnings;  // what the caller fixed and would better have left open
+  std::vector<Decision> decisions;    // one for each skip, in the order of Skip
+  std::vector<std::string> warnings;  // options that the caller fixed and should better leave to
+                                      // the planner
 };
 
-/// `options` are those that the plan was made with. `used`: what the data allowed in a run, if one
-/// was made.
+/// `options` must be those that the plan was made with. `used` is what the data allowed in a run,
+/// if there was one.
 Explanation explain(const SceneStats& stats, const Plan& plan, const PlanOptions& options,
                     std::optional<Skips> used = {});
 
-/// A short tree, one line a decision.
+/// Formats a short tree, one line a decision.
 std::string to_text(const Explanation& explanation);
 
-/// The same options without that skip; one that is a method leaves the method to the planner.
+/// Returns the options without that skip. If the skip is a method, the planner chooses the method.
 PlanOptions without_skip(PlanOptions options, Skip skip);
 
 }  // namespace octocell

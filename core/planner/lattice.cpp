@@ -11,9 +11,9 @@
 namespace octocell {
 namespace {
 
-constexpr int kNoBits = 1000;  // of zero, a multiple of everything
+constexpr int kNoBits = 1000;  // for zero, which is a multiple of everything
 
-/// The exponent of the lowest bit that is set.
+/// Returns the exponent of the lowest bit that is set.
 int lowest_bit(float value) {
   const std::uint32_t bits = std::bit_cast<std::uint32_t>(value) & 0x7fffffffU;
   if (bits == 0) return kNoBits;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Scenes whose numbers are all multiples of one power of two, so few bits wide that float32
-// computes with them as with integers: nothing is rounded where it would matter (docs/exactness.md,
-// the lattice certificate). A lattice is given as units per length, 2^-g.
+// Finds scenes whose numbers are all multiples of one power of two and have few bits. Float32 then
+// computes as exactly as integers do: nothing is rounded where it matters (docs/exactness.md, the
+// lattice certificate). A lattice is given as units per length, 2^-g.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace octocell {
 
-/// The lattice that all spheres lie on, if D <= R, computed in float32, is right on it for all
-/// pairs: sums of radii are below 2^12 units, and squares neither overflow nor underflow. Else 0.
-/// It is read off a few spheres, and proved for all; where the few show that there is none, no
-/// others are looked at.
+/// Returns the lattice that all spheres lie on if, on this lattice, D <= R computed in float32 is
+/// right for all pairs: sums of radii are below 2^12 units, and squares neither overflow nor
+/// underflow. Returns 0 if there is none. The lattice is guessed from `few` and proved for `all`;
+/// if `few` already show that there is none, the others are not read.
 double find_lattice(std::span<const Sphere> few, std::span<const Sphere> all, float r_max);
 
 }  // namespace octocell

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which size classes does half_shell need, and how large are their cells?  Any choice is correct
-// whose cells are a diameter wide, so cost decides: one level for spheres of like size, one more
-// where a few large ones would make the cells of all others too large.
+// Which size classes does half_shell need, and how large are their cells?  Any cells at least a
+// diameter wide are correct, so cost decides: one level for spheres of similar size, and one more
+// if a few large spheres would make the cells of all others too large.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -20,14 +20,14 @@
 namespace octocell {
 namespace {
 
-/// Of a row's spheres, those that are tested against the row one step along the axis.
+/// Returns the part of a row's spheres that are tested against the row one step along the axis.
 double share_near_border(const Level& level, int axis, const ShellCosts& costs) {
   if (level.grid.cell_count[axis] == 1) return 0.0;
   if (!costs.near_borders) return 1.0;
   return std::min(1.0, 2.0 * static_cast<double>(level.r_max) / level.grid.cell_side);
 }
 
-/// The columns that partners of a sphere may lie in, as a part of a cell.
+/// Returns how long the columns are that may hold partners of a sphere, in cells.
 double window_in_cells(const Level& level) {
   return (2.0 * level.column_reach + 1.0) / columns_per_cell(level.grid);
 }
@@ -38,7 +38,7 @@ double cost_within(const Level& level, const Members& members, const Crowding& c
   const double filled = 1.0 - std::exp(-members.count / rows_of_cells(grid));
   const double y = share_near_border(level, 1, costs);
   const double z = share_near_border(level, 2, costs);
-  const double near_others = y + z + 2.0 * y * z;  // the half shell: two rows, and two aslant
+  const double near_others = y + z + 2.0 * y * z;  // one row along y, one along z, two diagonal
   const double candidates =
       crowding.in_cell * window_in_cells(level) * (0.5 + y * y + z * z + 2.0 * y * y * z * z);
   return members.count * (costs.per_sphere + near_others * filled * costs.per_window +
@@ -55,7 +55,8 @@ double cost_of(const Level& level, const Members& members, const Crowding& crowd
          members.count * sort_passes(key_bits, costs.digit_bits) * costs.shell.per_pass;
 }
 
-/// Each sphere of the finer level against the nine rows around it of the coarser.
+/// Returns the cost of testing each sphere of the finer level against nine rows of the coarser
+/// level.
 double cost_of_finer(const Level& coarser, const Members& coarse, const Members& fine,
                      const ShellCosts& costs) {
   constexpr double kRows = 9.0;
@@ -64,8 +65,8 @@ double cost_of_finer(const Level& coarser, const Members& coarse, const Members&
   return fine.count * (kRows * costs.per_probe + candidates * costs.per_candidate);
 }
 
-/// Each sphere of the coarse level against the finer: the rows that its box meets, and in them
-/// what its box holds.
+/// Returns the cost of testing each sphere of the coarse level against the finer one: the rows that
+/// its box meets, and the spheres that its box holds.
 double cost_of_coarser(const SceneStats& stats, const Members& coarse, const Level& level,
                        const Members& fine, const ShellCosts& costs) {
   const double width = 2.0 * (coarse.mean_radius() + static_cast<double>(level.r_max));
@@ -87,10 +88,10 @@ double cost_across(const SceneStats& stats, const Level& coarser, const Members&
 
 struct Choice {
   Level level;
-  double cost = HUGE_VAL;  // expected, of its spheres among themselves
+  double cost = HUGE_VAL;  // expected cost of the level's spheres among themselves
 };
 
-/// Makes an axis longer than a cell: upwards, or downwards, or both ways where numbers end.
+/// Makes an axis longer than a cell: upwards, or downwards, or both ways if float32 ends.
 void thicken(PlanFacts& facts, int axis, double side) {
   float& lowest = facts.lowest[axis];
   float& highest = facts.highest[axis];
@@ -106,8 +107,8 @@ void thicken(PlanFacts& facts, int axis, double side) {
   }
 }
 
-/// Flat scenes made thick enough for two layers of cells, if float32 has room for two. Cells may be
-/// larger than asked for, the more so in a larger box: what they are decides.
+/// Makes a flat scene thick enough for two layers of cells, if float32 has room for two. A larger
+/// box may get larger cells than requested, so the grid that results decides.
 PlanFacts with_two_layers(PlanFacts facts, float r_max, double side, int most_bits) {
   constexpr int kTrials = 4;
   for (int trial = 0; trial < kTrials; ++trial) {
@@ -120,7 +121,7 @@ PlanFacts with_two_layers(PlanFacts facts, float r_max, double side, int most_bi
   return facts;
 }
 
-/// The number of columns with the least cost, for cells of that side.
+/// Returns the cheapest way to cut cells of that side into columns.
 Choice cut_into_columns(const PlanFacts& facts, double side, int most_bits, const Members& members,
                         const Costs& costs) {
   Choice best;
@@ -134,9 +135,10 @@ Choice cut_into_columns(const PlanFacts& facts, double side, int most_bits, cons
   return best;
 }
 
-constexpr int kPatience = 3;  // doublings: costs step down where a pass is saved
+constexpr int kPatience = 3;  // in doublings of the side: costs drop again where the sort saves a
+                              // pass
 
-/// The side with the least cost: a diameter, or, where spheres are far apart, more.
+/// Returns the level with the cheapest cell side: a diameter, or more if spheres are far apart.
 Choice cheapest_level(const SceneStats& stats, Skips allowed, int most_bits, const Members& members,
                       const Costs& costs) {
   double side = 2.0 * static_cast<double>(members.r_max);
@@ -165,7 +167,7 @@ class LevelSearch {
   LevelSearch(const SceneStats& stats, Skips allowed, const Costs& costs)
       : stats_(stats), allowed_(allowed), costs_(costs) {}
 
-  /// Cuts where that gains most, as long as anything is gained.
+  /// Cuts where that saves most, as long as it saves anything.
   Levels run(std::size_t least_levels, std::size_t most_levels) {
     std::vector<Octaves> best = {{0, stats_.radii.size()}};
     double best_cost = cost(best);
@@ -191,7 +193,7 @@ class LevelSearch {
   }
 
  private:
-  /// Room for six levels whose ids stay below 2^kMaxKeyBits together.
+  /// Leaves room for six levels whose ids together stay below 2^kMaxKeyBits.
   static constexpr int kMostBits = kMaxKeyBits - 3;
   static_assert(kMaxLevels <= 1 << 3);
 
@@ -241,7 +243,8 @@ class LevelSearch {
   std::map<Octaves, Known> known_;
 };
 
-/// Few spheres lie in the nearest caches, many in none: in between the logarithm decides.
+/// Returns the part of the full cost for scenes that fit into caches: few spheres fit into the
+/// nearest ones, many into none; in between, the logarithm decides.
 double share_of_caches(std::uint64_t spheres, double in_cache) {
   constexpr double kFew = 2.0;  // powers of ten
   constexpr double kMany = 5.0;

@@ -14,17 +14,18 @@ namespace {
 constexpr int kMinUnitExponent = -126;  // 2^126, its inverse, is a finite float
 constexpr int kMaxUnitExponent = 126;
 
-/// Smallest e with value < 2^e.
+/// Returns the smallest e with value < 2^e.
 int exponent_above(double value) { return value > 0.0 ? std::ilogb(value) + 1 : -1100; }
 
-/// k: as fine as the cell side asks for (7 bits), as coarse as range and magnitude need.
+/// Returns k: fine enough for the cell side (7 bits), coarse enough for the range and the
+/// magnitude.
 int unit_exponent(const PlanFacts& facts, double cell_side) {
   int k = exponent_above(cell_side) - 8;
   for (int a = 0; a < 3; ++a) {
     const double extent = static_cast<double>(facts.highest[a]) - facts.lowest[a];
     const double magnitude = std::max(std::fabs(static_cast<double>(facts.highest[a])),
                                       std::fabs(static_cast<double>(facts.lowest[a])));
-    // + 1: two floors may be one further apart than the values.
+    // + 1: two floors may differ by one more than the values.
     k = std::max({k, exponent_above(extent) + 1 - 30, exponent_above(magnitude) - 62});
   }
   return std::clamp(k, kMinUnitExponent, kMaxUnitExponent);
@@ -39,7 +40,7 @@ void place_axes(Grid& grid, const PlanFacts& facts) {
   }
 }
 
-/// Bits for each axis; the longest axes give way until all fit.
+/// Gives each axis its bits; the longest axis loses bits until all fit.
 void number_cells(Grid& grid, int most_bits) {
   int bits[3];
   for (int a = 0; a < 3; ++a) bits[a] = static_cast<int>(std::bit_width(grid.cell_count[a] - 1));
@@ -56,7 +57,7 @@ void number_cells(Grid& grid, int most_bits) {
   grid.key_bits = static_cast<int>(std::bit_width(period[0] * period[1] * period[2] - 1));
 }
 
-/// No wrapped axis has a period below `cells`.
+/// Returns true if every wrapped axis has a period of at least `cells`.
 bool periods_have(const Grid& grid, const double (&cells)[3]) {
   for (int a = 0; a < 3; ++a) {
     const std::uint32_t mask = grid.wrap_mask[a];
@@ -76,7 +77,7 @@ CellWidth width_of(std::uint32_t units) {
   return width;
 }
 
-/// `columns`: into how many a cell is cut along x.
+/// `columns`: how many columns a cell is cut into along x.
 Grid grid_with_unit(const PlanFacts& facts, int k, double cell_side, std::uint32_t columns,
                     int most_bits) {
   Grid grid;

@@ -28,12 +28,12 @@ std::uint64_t id_capacity(const SceneStats& stats, const Plan& plan) {
                     "are the limit; larger cells meet fewer",
                     plan.grid.cell_side, expected, kMaxIds));
   }
-  // A quarter more than expected: untouched pages cost nothing, a second run does.
+  // A quarter more than expected: untouched pages cost nothing, but a second run does.
   const auto room = static_cast<std::uint64_t>(std::max(expected * 1.25, count)) + 64;
   return std::min(room, kMaxIds);
 }
 
-/// Eight a sphere: enough for most scenes, and untouched where it is too much.
+/// Eight pairs a sphere are enough for most scenes; pages that are not needed stay untouched.
 std::uint64_t pair_capacity(std::uint64_t sphere_count, bool count_only) {
   return count_only ? 0 : 8 * sphere_count + 64;
 }
@@ -63,7 +63,8 @@ void check_options(const PlanOptions& options) {
   }
 }
 
-/// A tenth of the largest extent, and a radius, on every side; around the bulk, a tenth of its own.
+/// Adds room on every side: a tenth of the largest extent, or a radius if that is more; around the
+/// bulk, a tenth of the bulk's own extent.
 SceneStats with_room_to_move(SceneStats stats) {
   PlanFacts& facts = stats.facts;
   float room = facts.r_max;
@@ -88,7 +89,7 @@ bool is_flat(const Plan& plan) {
   return plan.levels.count > 0 && has_one_layer(plan.levels.level[0].grid);
 }
 
-/// What a plan leaves out.
+/// Returns the skips that a plan takes.
 Skips taken_by(const Plan& plan) {
   Skips taken;
   const auto take_if = [&](bool is_taken, Skip skip) {
@@ -117,7 +118,7 @@ Plan plan_method(const SceneStats& stats, Method method, const PlanOptions& opti
   plan.sort_digit_bits = options.costs.digit_bits;
   plan.allowed = options.allowed;
   plan.nothing_to_find = !stats.some_may_collide && options.allowed.has(Skip::search);
-  // Other predicates show what one search costs: nothing is carried from frame to frame.
+  // Other predicates show what one search costs, so nothing is kept from frame to frame.
   plan.moving = options.moving && options.predicate == Predicate::exact;
   plan.count_only = options.count_only;
   plan.candidate_limit = options.candidate_limit;
@@ -131,7 +132,7 @@ Plan plan_method(const SceneStats& stats, Method method, const PlanOptions& opti
   return plan;
 }
 
-/// Why a plan does not leave out what a caller insists on. The rest only the data can tell.
+/// Returns why a plan does not take a skip that the caller forces. Other skips depend on the data.
 std::string why_not(const Plan& plan, Skip skip) {
   const Grid& grid = plan.levels.level[0].grid;
   if (skip == Skip::search) return "some spheres may collide by their flags";
@@ -177,7 +178,7 @@ bool leaves_out(const Plan& plan, Skip skip) {
          std::ranges::any_of(levels, [](const Level& l) { return has_one_layer(l.grid); });
 }
 
-/// What the plan leaves out although it is forbidden.
+/// Returns a skip that the plan takes although it is forbidden.
 std::optional<Skip> disobeyed_by(const Plan& plan) {
   for (std::size_t k = 0; k < kSkipCount; ++k) {
     const auto skip = static_cast<Skip>(k);
@@ -197,7 +198,7 @@ void require_obeyed(const Plan& plan) {
           : fmt::format("the method is {}", name_of(plan.method))));
 }
 
-/// Of the methods that are allowed, the one whose plan is expected to cost least. All are exact.
+/// Returns the plan with the lowest expected cost among the allowed methods. All methods are exact.
 Plan cheapest_plan(const SceneStats& stats, const PlanOptions& options) {
   if (options.forced.has(Skip::grid)) return plan_method(stats, Method::brute_force, options);
   if (options.forced.has(Skip::phantoms)) return plan_method(stats, Method::half_shell, options);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From what is known of a scene to what to do with it. Pure host code that knows no backend.
+// From what is known of a scene to what to do with it. Pure host code without knowledge of
+// backends.
 #pragma once
 
 #include <cstdint>
@@ -11,35 +12,35 @@
 
 namespace octocell {
 
-/// The same of method half_shell.
+/// Costs of method half_shell, in nanoseconds.
 struct ShellCosts {
-  double per_sphere = 10.0;         // id, gathering, and the window in its own row
-  double per_row = 290.0;           // to find its neighbours, and to list what is near them
-  double per_window = 2.0;          // of a sphere in a neighbouring row
-  double per_candidate = 0.06;      // in a window
-  double per_probe = 80.0;          // of a sphere in a row of another level
-  double per_id = 0.0;              // that there may be, with or without a sphere; 8 a sphere count
-  double per_pass = 1.4;            // of a sphere in the sort, by one digit
-  double per_wrapped = 0.0;         // of a sphere in a level with an axis that wraps, besides
-  double in_cache = 0.7;            // of all this for a hundred spheres; 1 for 1e5 and more
-  bool near_borders = true;         // other rows meet only spheres that are near them
-  bool finer_probe = false;         // the finer spheres look for the coarser ones
-  int sides_per_doubling = 1;       // that are tried
-  std::uint32_t most_columns = 16;  // into which a cell is cut
+  double per_sphere = 10.0;     // to make its id, gather it, and search the window in its own row
+  double per_row = 290.0;       // to find a row's neighbours, and to list the spheres near them
+  double per_window = 2.0;      // of a sphere, in a neighbouring row
+  double per_candidate = 0.06;  // in a window
+  double per_probe = 80.0;      // of a sphere, in a row of another level
+  double per_id = 0.0;  // of a possible id, with or without a sphere; at most 8 ids a sphere count
+  double per_pass = 1.4;     // to sort a sphere by one digit
+  double per_wrapped = 0.0;  // added for a sphere in a level with a wrapped axis
+  double in_cache = 0.7;     // factor on all this for a hundred spheres; 1 for 1e5 spheres and more
+  bool near_borders = true;  // a row tests only the spheres near its borders against other rows
+  bool finer_probe = false;  // spheres of the finer level search the coarser one
+  int sides_per_doubling = 1;       // how many cell sides are tried for each doubling
+  std::uint32_t most_columns = 16;  // the most columns that a cell is cut into
 };
 
-/// What work costs on the machine that will do it, in nanoseconds; only the ratios matter.
-/// The defaults are one CPU's (docs/decisions/0004-cell-size.md).
+/// What work costs on the machine that will do it, in nanoseconds; only the ratios matter. The
+/// defaults were measured on one CPU (docs/decisions/0004-cell-size.md).
 struct Costs {
-  double per_id = 20.0;          // to make it, and to look at it in stages 4 and 5
-  double per_id_and_pass = 1.5;  // to sort it by one digit
+  double per_id = 20.0;          // to make an id, and to read it in stages 4 and 5
+  double per_id_and_pass = 1.5;  // to sort an id by one digit
   double per_candidate = 0.4;
-  double per_id_of_one = 0.0;  // of the sphere with the most ids, where one thread makes them all
-  double per_grid = 0.0;       // of either method with a grid, for any scene
-  double per_run = 0.0;        // of home_phantom, beyond half_shell, for any scene
-  double per_pair = 0.2;       // of brute_force
-  double per_row = 5.0;        // of brute_force: of a sphere, which meets all behind it
-  int digit_bits = 9;          // the most that one pass sorts by
+  double per_id_of_one = 0.0;  // for the sphere with the most ids, if one thread makes them all
+  double per_grid = 0.0;       // for either method with a grid, in any scene
+  double per_run = 0.0;        // for home_phantom, added to per_grid, in any scene
+  double per_pair = 0.2;       // for brute_force
+  double per_row = 5.0;        // for brute_force: a sphere that is tested against all behind it
+  int digit_bits = 9;          // the widest digit of one sorting pass
   ShellCosts shell = {};
 };
 
@@ -51,75 +52,76 @@ struct PlanOptions {
   int threads = 1;
   bool count_only = false;
   std::uint64_t candidate_limit = ~std::uint64_t{0};
-  std::optional<double> cell_side = {};  // scene units; only rule lowest_cell is free to choose
-  Skips known = Skips::all();            // that the backend has; the others it is not asked for
-  Skips allowed = Skips::all();          // of those
-  Skips forced = {};                     // LimitError where the plan cannot take one of them
-  bool moving = false;                   // plan for a box a little larger than the spheres fill now
-  bool buffers_only = false;             // for baselines, which make their own plans
-  Costs costs = {};                      // rule lowest_cell picks the cells that cost least
+  std::optional<double> cell_side = {};  // scene units; only rule lowest_cell leaves it free
+  Skips known = Skips::all();            // that the backend has; it is never asked for others
+  Skips allowed = Skips::all();          // a subset of `known`
+  Skips forced = {};          // make_plan() throws LimitError if the plan cannot take one of these
+  bool moving = false;        // plans for a box a little larger than the spheres fill now
+  bool buffers_only = false;  // for baselines, which need no other plan
+  Costs costs = {};           // rule lowest_cell chooses the cheapest cells
 };
 
-/// What a plan is expected to cost, in the unit of Costs.
+/// Returns the expected cost of a plan, in the unit of Costs.
 double estimate_cost(const SceneStats& stats, const Plan& plan, const Costs& costs);
 
-/// Throws LimitError where the rule's conditions do not hold for this scene or a skip can be
-/// neither taken nor left as the options ask, with the reason, and InputError for a cell side that
-/// is not a positive finite number.
+/// Throws LimitError with the reason if the rule's conditions do not hold for this scene, or if a
+/// skip can be neither taken nor left out as the options demand. Throws InputError for a cell side
+/// that is not a positive finite number.
 Plan make_plan(const SceneStats& stats, const PlanOptions& options = {});
 
-/// For a baseline: the sizes of buffers, and nothing that takes a look at the spheres.
+/// Returns a plan for a baseline: only buffer sizes. Does not read the spheres.
 Plan plan_buffers(std::uint64_t sphere_count, const PlanOptions& options);
 
-/// The next plan after a full buffer: every capacity at least what was found. Throws LimitError
-/// where that is more than positions of 32 bits can count.
+/// Returns the next plan after a buffer was full: every capacity is at least what was found. Throws
+/// LimitError if 32-bit positions cannot count that many.
 Plan grow(const Plan& plan, const Counts& found);
 
-/// The step of float32 at the far end of the scene's boxes p +- extent.
+/// Returns the step of float32 at the far end of the scene's boxes p +- extent.
 double farthest_ulp(const PlanFacts& facts, float extent);
 
-/// The widest box [p - extent, p + extent] that can occur, its ends rounded to float32.
+/// Returns the width of the widest box [p - extent, p + extent] whose ends are rounded to float32.
 double widest_box(const PlanFacts& facts, float extent);
 
-/// The finest grid over the box of centres whose cell side is at least `cell_side`, with ids below
-/// 2^31. Where a dense numbering would need more, axes wrap; a wrapped axis has a period of at
-/// least twice (`widest`, the width of what a sphere may cover, plus two cells), so that no two
-/// overlapping spheres meet in a cell that only shares its id with another.
+/// Returns the finest grid over the box of centres whose cell side is at least `cell_side`, with
+/// ids below 2^31. If numbering all cells would need more, axes wrap. The period of a wrapped axis
+/// is at least twice (`widest`, the width of the box of a sphere, plus two cells). So two
+/// overlapping spheres never meet under an id that stands for different cells.
 Grid make_grid(const PlanFacts& facts, double cell_side, double widest);
 
-/// The finest grid for half_shell over the box of centres whose cells are at least `cell_side` and
-/// two `r_max` wide, cut into at most `columns` columns, with ids below 2^most_bits. Axes wrap as
-/// above; 2^most_bits >= 2^27 leaves a wrapped axis a period of 2^8 or more, where four cells and
-/// two extents are needed.
+/// Returns the finest grid for half_shell over the box of centres. Its cells are at least
+/// `cell_side` and two `r_max` wide and are cut into at most `columns` columns; ids are below
+/// 2^most_bits. Axes wrap as above. 2^most_bits >= 2^27 leaves a wrapped axis a period of 2^8 or
+/// more; four cells and two extents are needed.
 Level make_level(const PlanFacts& facts, float r_max, double cell_side, std::uint32_t columns,
                  int most_bits);
 
-/// Whether rows of such cells have none above and below, or none beside them.
+/// Returns true if rows of such cells have no rows above and below, or none beside them.
 inline bool has_one_layer(const Grid& grid) {
   return grid.cell_count[1] == 1 || grid.cell_count[2] == 1;
 }
 
-/// The levels with the least expected work for half_shell, which is correct with any. Without skip
-/// `layers` an axis along which all spheres lie in one layer gets a second, if float32 has room.
+/// Returns the levels with the least expected work for half_shell, which is correct with any.
+/// Without skip `layers`, an axis with a single layer of spheres gets a second layer, if float32
+/// has room.
 Levels cheapest_levels(const SceneStats& stats, Skips allowed = Skips::all(),
                        const Costs& costs = {}, std::size_t least_levels = 1);
 
-/// For frames that move: cells of half_shell for spheres that have grown by a part of the mean
-/// radius. None (growth 0) where radii would leave the range in which growing is exact.
+/// For frames that move: returns half_shell cells for spheres enlarged by a part of the mean
+/// radius. Returns none (growth 0) if the radii would leave the range in which enlarging is exact.
 SkinCells skin_cells(const SceneStats& stats, Skips allowed = Skips::all(),
                      const Costs& costs = {});
 
-/// Nanoseconds that half_shell is expected to take with them.
+/// Returns how many nanoseconds half_shell is expected to take with these levels.
 double estimate_cost(const SceneStats& stats, const Levels& levels, int key_bits,
                      const Costs& costs);
 
-/// Every id of the levels is below two to this.
+/// Returns the number of bits that hold every id of the levels.
 int key_bits_of(const Levels& levels);
 
 inline constexpr int kMaxKeyBits = 31;
 
-/// The usual distance of neighbours: the cube root of the box's volume per sphere; an axis thinner
-/// than that does not count.
+/// Returns the typical distance of neighbours: the cube root of the box's volume per sphere. An
+/// axis thinner than that does not count.
 double mean_spacing(const PlanFacts& facts);
 
 /// Work that home_phantom with rule lowest_cell is expected to do on a grid.
@@ -130,7 +132,8 @@ struct WorkEstimate {
 };
 WorkEstimate estimate_work(const SceneStats& stats, const Grid& grid, const Costs& costs = {});
 
-/// The grid with the least expected work for rule lowest_cell, which is correct for any cell side.
+/// Returns the grid with the least expected work for rule lowest_cell, which is correct for any
+/// cell side.
 Grid cheapest_grid(const SceneStats& stats, const Costs& costs = {});
 
 }  // namespace octocell

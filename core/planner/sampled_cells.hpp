@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How many spheres of a sample share a cell, or a block of cells? In Morton order (Morton 1966, A
-// computer oriented geodetic data base) the cells of each block of 2^k a side follow each other:
-// put in order once, the sample answers for blocks of all sizes. Where an axis has more cells than
-// a third of a word counts, a second word tells them apart: one sphere far away makes an axis so
-// long, and all others then differ in the lowest bits only.
+// How many spheres of a sample share a cell, or a block of cells?  In Morton order (Morton 1966, A
+// computer oriented geodetic data base) the cells of each block of 2^k a side follow one another.
+// So the sample is sorted once and can then be counted for blocks of all sizes. If an axis has more
+// cells than a third of a word can number, each code has a second word. One far sphere makes an
+// axis that long, and then all other spheres differ in the lowest bits only.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace octocell {
 
 class SampledCells {
  public:
-  /// `columns` of the grid, along x, make a cell.
+  /// `columns` columns of the grid, along x, make a cell.
   SampledCells(const Grid& grid, const std::vector<Sphere>& sample, std::uint32_t columns)
       : is_wide_(bits_of_coordinates(grid, columns) > kMortonBits) {
     is_wide_ ? wide_.reserve(sample.size()) : codes_.reserve(sample.size());
@@ -37,7 +37,7 @@ class SampledCells {
     std::ranges::sort(wide_);
   }
 
-  /// Pairs of the sample that share a block of 2^shift cells a side.
+  /// Returns how many pairs of the sample share a block of 2^shift cells a side.
   [[nodiscard]] std::uint64_t pairs_in_blocks(int shift) const {
     if (!is_wide_) {
       return count_alike(
@@ -50,10 +50,10 @@ class SampledCells {
   }
 
  private:
-  static constexpr int kMortonBits = 21;          // of each coordinate, three in a word
+  static constexpr int kMortonBits = 21;          // bits of each coordinate; a word holds three
   using WideCode = std::array<std::uint64_t, 2>;  // the highest bits first
 
-  /// Pairs of codes, sorted, that are alike.
+  /// Counts pairs of equal codes; `codes` must be sorted.
   template <typename Codes, typename Alike>
   static std::uint64_t count_alike(const Codes& codes, const Alike& are_alike) {
     std::uint64_t pairs = 0;
@@ -65,7 +65,7 @@ class SampledCells {
     return pairs;
   }
 
-  /// Of 21 bits of each coordinate, from that one on.
+  /// Interleaves 21 bits of each coordinate, from bit `from` on.
   static std::uint64_t code_of(const Cell& cell, int from) {
     constexpr std::uint64_t kMask = (std::uint64_t{1} << kMortonBits) - 1;
     return spread(cell.x >> from & kMask) | spread(cell.y >> from & kMask) << 1 |

@@ -24,16 +24,16 @@
 namespace octocell {
 namespace {
 
-constexpr std::size_t kSmallestSample = 64;  // planning must not outlast the work
+constexpr std::size_t kSmallestSample = 64;  // planning must not take longer than the work
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// Four spheres side by side, x y z r each; compilers keep each array in one or a few registers.
 constexpr std::size_t kAbreast = 4;
 struct Lanes {
   static constexpr std::size_t kLanes = 4 * kAbreast;
-  float lowest[kLanes];  // of radii: above zero
+  float lowest[kLanes];  // for radii, the lowest above zero
   float highest[kLanes];
-  float taint[kLanes];  // turns NaN at the first value that is not finite
+  float taint[kLanes];  // becomes NaN at the first value that is not finite
   float least[kLanes];
 
   Lanes() {
@@ -42,7 +42,7 @@ struct Lanes {
     std::ranges::fill(taint, 0.0F);
     std::ranges::fill(least, kInfinity);
   }
-  /// `above_zero`: minus infinity for coordinates, zero for radii.
+  /// `above_zero` is minus infinity for coordinates and zero for radii.
   void add(const Sphere* spheres, const float (&above_zero)[kLanes]) {
     float value[kLanes];
     std::memcpy(value, spheres, sizeof value);
@@ -69,8 +69,8 @@ std::vector<RadiusClass> classify_radii(SceneView scene, const PlanFacts& facts)
              .radius_sum = static_cast<double>(facts.r_max) * static_cast<double>(count),
              .largest = facts.r_max}};
   }
-  // Several tables in turn: most spheres are of one class, and none need wait for the one before.
-  // Zeros have the first entry, which leaves the numbers below 2^-126 the second.
+  // Uses several tables in turn: most spheres are of one class, and so no update waits for the one
+  // before. Zeros have the first entry; numbers below 2^-126 have the second.
   std::array<std::array<RadiusClass, 257>, kAbreast> tables = {};
   for (std::size_t i = 0; i < count; ++i) {
     const float r = scene.spheres[i].r;
@@ -93,8 +93,9 @@ std::vector<RadiusClass> classify_radii(SceneView scene, const PlanFacts& facts)
   return found;
 }
 
-/// One of each part of the input, so that none is taken twice (it would be its own neighbour),
-/// chosen by a hash, so that no order of the input (rows of a lattice) repeats in the sample.
+/// Takes one sphere of each part of the input, so that none is taken twice (it would be its own
+/// neighbour). A hash chooses it, so that no order of the input (rows of a lattice) repeats in the
+/// sample.
 std::vector<Sphere> take_sample(SceneView scene) {
   const std::span<const Sphere> spheres = scene.spheres;
   const std::size_t size = std::clamp(spheres.size() / 16, kSmallestSample, kSampleSize);
@@ -162,7 +163,7 @@ FactsPass merge(const FactsPass& a, const FactsPass& b) {
   return both;
 }
 
-/// Spelt out: floor() and != may trap, so compilers leave them one by one.
+/// Uses explicit vectors: floor() and != may trap, so compilers do not vectorise them.
 bool lie_on_lattice(std::span<const Sphere> spheres, double units_per_length) {
   constexpr std::size_t kAtOnce = 2;
   static_assert(sizeof(Sphere[kAtOnce]) == 4 * kAtOnce * sizeof(float), "read as numbers in a row");

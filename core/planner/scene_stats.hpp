@@ -11,8 +11,8 @@
 
 namespace octocell {
 
-/// The spheres whose radius has one float exponent: within a factor of two of each other. Those of
-/// radius 0 are a class of their own.
+/// The spheres whose radii have the same float exponent, so they differ by less than a factor of
+/// two. Spheres of radius 0 are a class of their own.
 struct RadiusClass {
   std::uint64_t count = 0;
   double radius_sum = 0.0;
@@ -32,37 +32,39 @@ struct Bulk {
 /// What the planner knows of a scene.
 struct SceneStats {
   PlanFacts facts;
-  bool some_may_collide = true;    // by their flags; false is certain
-  float static_share = 0.0F;       // of the spheres, by their flags
+  bool some_may_collide = true;    // by their flags; if false, it is certain
+  float static_share = 0.0F;       // part of the spheres, by their flags
   std::vector<RadiusClass> radii;  // the non-empty classes, smallest radius first
-  std::vector<Sphere> sample;      // a sixteenth, 64 to kSampleSize, chosen by a fixed hash
-  std::vector<Bulk> bulk;          // from the widest; empty unless a few centres are far away
+  std::vector<Sphere> sample;  // a sixteenth of the spheres, 64 to kSampleSize, chosen by a fixed
+                               // hash
+  std::vector<Bulk> bulk;      // the widest first; empty unless a few centres are far away
 };
 
 inline constexpr std::size_t kSampleSize = 1024;
 
-/// One pass over the spheres (two where radii differ).
-/// Throws InputError naming the first sphere that is not finite or has a negative radius, or if
-/// there are flags for some spheres only.
+/// Measures a scene in one pass over the spheres (two if radii differ). Throws InputError naming
+/// the first sphere that is not finite or has a negative radius, or if only some spheres have
+/// flags.
 SceneStats measure(SceneView scene);
 
-/// The last of those alone: one flag word a sphere, or none at all.
+/// Throws InputError unless there is one flag word for each sphere, or none at all.
 void require_all_flags(SceneView scene);
 
-/// The facts alone, of a part of a scene: stage 1 of the host backends is this, in parallel.
-/// A non-finite coordinate or a negative radius clears `valid`.
+/// Facts of a part of a scene: the host backends run this in parallel as stage 1. A non-finite
+/// coordinate or a negative radius clears `valid`.
 struct FactsPass {
   PlanFacts facts;
   bool valid = true;
 };
 FactsPass measure_facts(std::span<const Sphere> spheres);
-/// The facts of two parts together.
+/// Returns the facts of two parts together.
 FactsPass merge(const FactsPass& a, const FactsPass& b);
 
-/// Does each of them lie on the lattice? Also for stage 1; as lies_on_lattice(), several at once.
+/// Returns true if each sphere lies on the lattice, like lies_on_lattice(), but several at once.
+/// Stage 1 uses it, too.
 bool lie_on_lattice(std::span<const Sphere> spheres, double units_per_length);
 
-/// One line on what is wrong with the first invalid sphere; spheres must hold one.
+/// Returns one line on what is wrong with the first invalid sphere; there must be one.
 std::string describe_first_invalid(std::span<const Sphere> spheres);
 
 }  // namespace octocell

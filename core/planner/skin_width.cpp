@@ -9,10 +9,10 @@
 namespace octocell {
 namespace {
 
-constexpr float kWorthwhile = 0.9F;  // of the time of a search
-constexpr int kWidths = 8;           // tried, up to the widest
-constexpr int kFewFrames = 2;        // a list that served fewer was a mistake
-constexpr int kFirstPause = 4;       // in frames; twice as many after each further mistake
+constexpr float kWorthwhile = 0.9F;  // part of the time of a search
+constexpr int kWidths = 8;           // widths that are tried, up to the widest
+constexpr int kFewFrames = 2;        // a list that served fewer frames was a mistake
+constexpr int kFirstPause = 4;       // in frames; doubled after each further mistake
 constexpr int kLongestPause = 1024;
 
 float cube(float x) { return x * x * x; }
@@ -27,7 +27,8 @@ void SkinWidth::reset(float most, const SkinCosts& costs, float static_share) {
   next_pause_ = kFirstPause;
 }
 
-/// `growth` of the mean radius; neighbor pairs are as the cube of the mean of two, as in a gas.
+/// `growth` is in mean radii. As in a gas, the number of neighbor pairs grows as the cube of the
+/// mean growth of two spheres.
 float SkinWidth::cost_a_frame(float growth, float frames) const {
   const float moving = 1.0F - static_share_;
   const float near = moving * moving * cube(1.0F + growth) +

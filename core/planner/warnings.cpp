@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A caller may fix what the planner would choose. All choices are exact, so a poor one shows in the
-// time alone, and only to those who wait: it is said beforehand.
+// A caller may fix what the planner would choose. All choices are exact, so a poor one only costs
+// time. The warning comes beforehand, because otherwise only waiting would show it.
 #include "core/planner/warnings.hpp"
 
 #include <fmt/format.h>
@@ -18,10 +18,11 @@
 namespace octocell {
 namespace {
 
-/// Times the planner's own plan. Estimates of plans so unlike may be off by a factor of two, and
-/// rule chapter32 on a plain gas, at about five times, is a choice to respect.
+/// Times the cost of the planner's own plan. Estimates of such different plans may be off by a
+/// factor of two, and rule chapter32 on a plain gas costs about five times as much: users may want
+/// that.
 constexpr double kDear = 8.0;
-constexpr double kWorthAWarning = 1e6;  // nanoseconds: less is soon over
+constexpr double kWorthAWarning = 1e6;  // nanoseconds: a shorter run needs no warning
 
 PlanOptions left_to_planner(PlanOptions options) {
   options.method.reset();
@@ -36,7 +37,7 @@ PlanOptions left_to_planner(PlanOptions options) {
 struct OwnChoice {
   std::string what;
   std::string flag;
-  PlanOptions alone;  // with all else left to the planner
+  PlanOptions alone;  // with everything else left to the planner
 };
 
 std::vector<OwnChoice> own_choices(const PlanOptions& options) {
@@ -76,7 +77,7 @@ std::vector<OwnChoice> own_choices(const PlanOptions& options) {
   return choices;
 }
 
-/// None where such a plan is refused.
+/// Returns none if such a plan is refused.
 std::optional<double> expected_cost(const SceneStats& stats, const PlanOptions& options) {
   try {
     return estimate_cost(stats, make_plan(stats, options), options.costs);
@@ -85,7 +86,7 @@ std::optional<double> expected_cost(const SceneStats& stats, const PlanOptions& 
   }
 }
 
-/// To one digit: more would promise too much.
+/// Rounds to one digit: more digits would promise too much.
 double rounded(double times) {
   const double unit = std::pow(10.0, std::floor(std::log10(times)));
   return std::round(times / unit) * unit;
@@ -104,7 +105,7 @@ std::string warning(const std::string& what, double times, const Plan& better,
 std::vector<std::string> warnings_of(const SceneStats& stats, const Plan& plan,
                                      const PlanOptions& options) {
   const std::vector<OwnChoice> choices = own_choices(options);
-  // Nothing is known of the cells of rule as_written.
+  // The cost of the cells of rule as_written is not modelled.
   if (choices.empty() || options.rule == Rule::as_written) return {};
   const Plan better = make_plan(stats, left_to_planner(options));
   const double least = estimate_cost(stats, better, options.costs);

@@ -8,8 +8,8 @@
 
 namespace octocell {
 
-/// What the caller fixed and is expected to pay dearly for, one line each. `plan` is the one that
-/// was made with `options`.
+/// Returns one line for each thing that the caller fixed and that is expected to cost much time.
+/// `plan` must be the one that was made with `options`.
 std::vector<std::string> warnings_of(const SceneStats& stats, const Plan& plan,
                                      const PlanOptions& options);
 
