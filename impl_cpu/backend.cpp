@@ -29,12 +29,13 @@ class CpuBackend final : public GridPairFinder {
     flags_.assign(scene.flags.begin(), scene.flags.end());
   }
 
-  /// What the last frame left serves the next only where coherence_ has proved that it may.
+  /// Data of the last frame is reused only if coherence_ has proved that it is still right.
   void update(SceneView scene) override {
     if (scene.spheres.size() > room_) return upload(w_.plan, scene);
     if (!std::ranges::equal(flags_, scene.flags)) {
       flags_.assign(scene.flags.begin(), scene.flags.end());
-      OCTOCELL_FAULT(frame_keeps_flags, void(), coherence_.forget());  // it compares spheres only
+      OCTOCELL_FAULT(frame_keeps_flags, void(), coherence_.forget());  // Coherence compares only
+                                                                       // spheres
     }
     w_.scene = scene;
   }
@@ -98,7 +99,7 @@ class CpuBackend final : public GridPairFinder {
   }
 
   Workspace w_;
-  std::uint64_t room_ = 0;    // spheres that there is room for
+  std::uint64_t room_ = 0;    // spheres that the buffers have room for
   std::vector<Flags> flags_;  // of the scene
   coherence::Coherence coherence_;
 };

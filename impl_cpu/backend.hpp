@@ -7,7 +7,7 @@
 
 namespace octocell::cpu {
 
-/// The pipeline on this machine's threads: readable, exact, and no slouch.
+/// Makes the backend that runs the pipeline on this machine's threads.
 std::unique_ptr<PairFinder> make_backend();
 
 }  // namespace octocell::cpu

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How many things are dealt with at once, and how many a list holds. No answer depends on it.
+// Sizes of blocks and lists. No answer depends on them.
 //
-// Borders between blocks are where faults hide, and scenes that are small enough to be tested by
-// the thousand meet none of them. So there is a second build of impl_cpu, for tests alone, in which
-// all these numbers are small (octocell_cpu_small, with OCTOCELL_SMALL_BLOCKS).
+// Faults hide at the borders between blocks, but scenes small enough to be tested by the thousand
+// fit into one block. So tests use a second build of impl_cpu in which all these numbers are small
+// (octocell_cpu_small, with OCTOCELL_SMALL_BLOCKS).
 //
-// Prefetch distances are not among them, as they reach past the end of small lists in any case; nor
-// is the size of the sample of the motion, which decides what is tried and not how.
+// Prefetch distances do not change, because they reach past the end of small lists anyway. Nor does
+// the size of the motion sample, which decides what is tried, not how.
 #pragma once
 
 namespace octocell::cpu {
@@ -17,7 +17,7 @@ inline constexpr bool kSmallBlocks = true;
 inline constexpr bool kSmallBlocks = false;
 #endif
 
-/// Returns `usual`, but `small` in the build whose blocks are small.
+/// Returns `usual`, or `small` in the build with small blocks.
 template <typename Number>
 constexpr Number block_size(Number usual, Number small) {
   return kSmallBlocks ? small : usual;

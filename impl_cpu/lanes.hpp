@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spheres side by side, and the first step of each pair test for one sphere against all of them.
+// Spheres side by side, and the first step of each pair test, for one sphere against all of them.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace octocell::cpu {
 
-/// Spheres field by field.
+/// Spheres as four arrays, one per field.
 template <typename Number>
 struct Fields {
   const Number* x;
@@ -24,37 +24,40 @@ struct Fields {
   const Number* z;
   const Number* r;
 };
-/// As a test reads them.
+/// The number type that a test reads.
 template <PairTest test>
 using NumberOf = std::conditional_t<is_packed(test), std::uint16_t, float>;
 template <PairTest test>
 using FieldsOf = Fields<NumberOf<test>>;
-/// Where the radius of sphere k is.
+/// Returns the index of the radius of sphere k.
 template <PairTest test>
 constexpr std::uint64_t place_of_radius(std::uint64_t k) {
   return has_one_radius(test) ? 0 : k;
 }
 
-/// One bit a lane, the first lowest.
+/// One bit per lane; the first lane has the lowest bit.
 using LaneBits = std::uint16_t;
 inline constexpr std::uint32_t kMostLanes = 16;
 template <typename Mask>
 LaneBits bits_of(const Mask& mask) {
-  return static_cast<LaneBits>(mask.__to_bitset().to_ulong());  // libstdc++'s, for want of a better
+  return static_cast<LaneBits>(mask.__to_bitset().to_ulong());  // libstdc++'s own function: the
+                                                                // standard library has no public
+                                                                // one
 }
-/// The first `count` of kMostLanes or fewer.
+/// Returns the bits of the first `count` lanes; of all kMostLanes if `count` is more.
 inline LaneBits first_bits(std::uint32_t count) {
   return static_cast<LaneBits>(
       (1U << std::min(count, OCTOCELL_FAULT(shell_last_lane_missing, kMostLanes - 1, kMostLanes))) -
       1U);
 }
-/// Calls visit(lane) for each lane that is set.
+/// Calls visit(lane) for each lane whose bit is set.
 template <typename Visit>
 void for_each_lane(std::uint32_t bits, const Visit& visit) {
   for (; bits != 0; bits &= bits - 1) visit(static_cast<std::uint32_t>(std::countr_zero(bits)));
 }
 
-/// `to` gets first + lane for each lane that is set; up to 16 numbers are written, these first.
+/// Writes first + lane to `to` for each lane whose bit is set. Up to 16 numbers may be written;
+/// those come first.
 inline void list_places(LaneBits bits, std::uint32_t first, std::uint32_t* to) {
 #ifdef __AVX512F__
   const __m512i lanes = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
@@ -64,7 +67,8 @@ inline void list_places(LaneBits bits, std::uint32_t first, std::uint32_t* to) {
   for_each_lane(bits, [&](std::uint32_t lane) { *to++ = first + lane; });
 #endif
 }
-/// `to` gets from[lane] for each lane that is set; up to 16 numbers are written, these first.
+/// Writes from[lane] to `to` for each lane whose bit is set. Up to 16 numbers may be written; those
+/// come first.
 inline void list_values(LaneBits bits, const std::uint32_t* from, std::uint32_t* to) {
 #ifdef __AVX512F__
   _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(bits, _mm512_loadu_si512(from)));
@@ -73,7 +77,7 @@ inline void list_values(LaneBits bits, const std::uint32_t* from, std::uint32_t*
 #endif
 }
 
-/// Three fields of spheres side by side.
+/// The centres of spheres side by side.
 template <typename V>
 struct CentreLanes {
   V x, y, z;
@@ -83,7 +87,7 @@ struct CentreLanes {
         y(of.y + at, stdx::element_aligned),
         z(of.z + at, stdx::element_aligned) {}
 };
-/// All four.
+/// Centres and radii.
 template <typename V>
 struct SphereLanes : CentreLanes<V> {
   V r;
@@ -92,7 +96,7 @@ struct SphereLanes : CentreLanes<V> {
       : CentreLanes<V>(of, at), r(of.r + at, stdx::element_aligned) {}
 };
 
-/// D, as filter_distance2().
+/// Returns D, like filter_distance2().
 template <typename V, typename Number>
 [[gnu::always_inline]] inline V distance2(const CentreLanes<V>& lanes, const Fields<Number>& ones,
                                           std::uint64_t k) {
@@ -102,11 +106,12 @@ template <typename V, typename Number>
   return dx * dx + dy * dy + dz * dz;
 }
 
-/// `count` spheres from a place on; they are read however few there are.
-/// may_overlap(ones, k): as the function of that name says for each of them and sphere k of `ones`.
-/// All of it must become part of its callers' loops, whatever a compiler thinks of their size.
+/// Holds `count` spheres, starting at place `at`; `count` spheres are read even if fewer exist.
+/// may_overlap(ones, k) returns the result of the function of that name for each of them and sphere
+/// k of `ones`. always_inline everywhere: these functions must become part of their callers' loops,
+/// even if a compiler thinks that they are too long.
 template <PairTest test, std::uint32_t count>
-class Lanes {  // the tests of |p - q|^2 <= (r_p + r_q)^2: the filter's, f32, and f64
+class Lanes {  // the tests of |p - q|^2 <= (r_p + r_q)^2: the filters, f32, and f64
  public:
   [[gnu::always_inline]] Lanes(const Fields<float>& of, std::uint64_t at) : lanes_(of, at) {}
 
@@ -203,7 +208,7 @@ class Lanes<PairTest::gram, count> {
   Floats norm2_;
 };
 
-/// Sixteen-bit integers: what two of them need is computed in 32 bits.
+/// 16-bit integers; differences and squares are computed in 32 bits.
 template <std::uint32_t count, bool rounded_down>
 class Q16Lanes {
  public:
@@ -227,7 +232,8 @@ class Q16Lanes {
     const auto natural = stdx::static_simd_cast<Naturals>(v);
     return natural * natural;
   }
-  /// Modulo 2^16; less one where both places were rounded down, as q16::least_distance().
+  /// Computes modulo 2^16, and subtracts one if both positions were rounded down, like
+  /// q16::least_distance().
   static Naturals square_of_distance(const Integers& at, std::uint16_t to) {
     const Integers difference = (at - static_cast<std::int32_t>(to)) << 16 >> 16;
     if constexpr (!rounded_down) return square(difference);
@@ -245,7 +251,7 @@ class Lanes<PairTest::q16_exact, count> : public Q16Lanes<count, true> {
   using Q16Lanes<count, true>::Q16Lanes;
 };
 
-/// Sixteen-bit floats, which become 32-bit ones as they are read.
+/// 16-bit floats, converted to 32 bits when they are read.
 template <std::uint32_t count>
 class Lanes<PairTest::f16, count> {
  public:
@@ -267,7 +273,8 @@ class Lanes<PairTest::f16, count> {
   static Floats load(const std::uint16_t* from) {
     return Floats([from](auto lane) { return f16::to_float(from[lane]); });
   }
-  /// Modulo the cell, as f16::difference(). Places lie in [-2, 2], so d in [-4, 4].
+  /// Computes modulo the cell, like f16::difference(). Positions lie in [-2, 2], so d lies in [-4,
+  /// 4].
   static Floats difference(const Floats& at, float to) {
     constexpr float kCell = f16::kUnitsPerCell;
     const Floats d = at - to;

@@ -11,7 +11,7 @@
 
 namespace octocell::cpu {
 
-/// Pairs found: stored or, in a count_only plan, counted and summed.
+/// The pairs found. A count_only plan only counts them and sums their checksum.
 class PairList {
  public:
   void allocate(std::uint64_t capacity) { stored_.allocate(capacity); }
@@ -35,7 +35,7 @@ class PairList {
     return OCTOCELL_FAULT(list_counts_31_bits, count & 0x7fffffffU, count);
   }
   [[nodiscard]] std::span<const Pair> items() const { return stored_.items(); }
-  /// To be thinned out and cut: what remains is what was stored first.
+  /// Returns the stored pairs so that the caller can remove some; cut() then sets how many remain.
   [[nodiscard]] std::span<Pair> stored() { return stored_.items(); }
   void cut(std::uint64_t size) { stored_.clear(size); }
   [[nodiscard]] bool complete() const { return stored_.complete(); }
@@ -51,7 +51,7 @@ class PairList {
   std::atomic<std::uint64_t> checksum_ = 0;
 };
 
-/// One thread's way into the list: 8 KiB at a time.
+/// Appends pairs of one thread, 8 KiB at a time.
 using PairWriter = ListWriter<Pair, kListBlock, PairList>;
 
 }  // namespace octocell::cpu

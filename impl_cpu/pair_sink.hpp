@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where one thread's stage 5 leaves what it finds.
+// Where a thread of stage 5 puts the pairs it finds.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,8 @@
 
 namespace octocell::cpu {
 
-/// Uncertain pairs are kept for stage 6, or resolved block by block where nothing may be kept.
+/// Stores uncertain pairs for stage 6. In a count_only plan, which stores none, resolves them block
+/// by block.
 class UncertainSink {
  public:
   explicit UncertainSink(Workspace& w) : w_(w) {}
@@ -28,7 +29,7 @@ class UncertainSink {
 class PairSink {
  public:
   explicit PairSink(Workspace& w) : PairSink(w, w.scene.flags) {}
-  /// Without flags, pairs have been asked for theirs before.
+  /// `flags` may be empty if the caller has already checked the flags of all pairs.
   PairSink(Workspace& w, std::span<const Flags> flags)
       : flags_(flags),
         packing_(w.plan.packing),
@@ -36,7 +37,7 @@ class PairSink {
         uncertain_sink_(w),
         uncertain_pairs_(uncertain_sink_) {}
 
-  /// Two spheres that may overlap, with stored radii.
+  /// Takes two spheres that may overlap, with stored radii.
   template <PairTest test>
   void take(const Sphere& a, std::uint32_t id_a, const Sphere& b, std::uint32_t id_b) {
     if (OCTOCELL_FAULT(flags_unasked_in_sink, false,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The three phases of GPU Gems 3, chapter 32, on threads instead of thread groups:
-// tabulate how often each digit occurs in each part, sum, and reorder.
+// The three phases of GPU Gems 3, chapter 32, on threads instead of thread groups: count how often
+// each digit occurs in each part, sum the counts, and reorder.
 #include "impl_cpu/radix_sort.hpp"
 #include "core/digit_plan.hpp"
 #include "core/faults.hpp"
@@ -16,7 +16,8 @@ namespace {
 constexpr std::size_t kDigits = 1 << kWidestDigit;
 constexpr int kMaxParts = block_size(64, 2);
 
-/// Per part of the input and digit: first a count, then where that part's next such key goes.
+/// For each part of the input and each digit: first a count, then where the part's next such key
+/// goes.
 using Counters = std::array<std::array<std::uint32_t, kDigits>, kMaxParts>;
 
 std::size_t value_of(Digit digit, std::uint32_t key) {
@@ -39,15 +40,15 @@ void tabulate(std::span<const std::uint32_t> keys, Digit digit,
   for (const std::uint32_t key : keys) ++counts[value_of(digit, key)];
 }
 
-/// Whether the digit of every key has that value.
+/// Returns true if the digit of every key has that value.
 bool all_share(const Counters& counters, int parts, std::size_t value, std::size_t size) {
   std::size_t count = 0;
   for (int p = 0; p < parts; ++p) count += counters[p][value];
   return OCTOCELL_FAULT(sort_skips_mixed_digit, count + 1 >= size, count == size);
 }
 
-/// Counts become first positions: all parts' zeros, then all parts' ones, and so on, which keeps
-/// equal keys in their order.
+/// Turns counts into first positions: first the zeros of all parts, then the ones of all parts, and
+/// so on. So equal keys keep their order.
 void prefix_sum(Counters& counters, int parts) {
   std::uint32_t position = 0;
   for (std::size_t d = 0; d < kDigits; ++d) {
@@ -75,7 +76,7 @@ Sorted radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, bool sk
                   Threads& threads) {
   const std::size_t size = front.keys.size();
   const int parts = std::min(threads.count(), kMaxParts);
-  static thread_local Counters counters;  // 64 KiB, off the stack
+  static thread_local Counters counters;  // 64 KiB: too large for the stack
   Counters& shared = counters;
   const auto for_parts = [&](auto&& work) {
     threads.run([&](int t) {

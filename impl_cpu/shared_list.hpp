@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How many threads write one list: each fills a small block of its own, then claims as much of the
-// list with one atomic addition and copies. (The GPU does the same with one atomic a thread block.)
+// How many threads write one list. Each thread fills a small block of its own, then reserves that
+// much of the list with one atomic addition and copies. (The GPU does the same with one atomic per
+// thread block.)
 #pragma once
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 
 namespace octocell::cpu {
 
-/// A list that many threads append to. Counting goes on past the end; nothing is written there.
+/// A list that many threads append to. Past its end, it continues to count but writes nothing.
 template <typename T>
 class SharedList {
  public:
@@ -30,10 +31,10 @@ class SharedList {
     std::copy(items.begin(), items.end(), items_.data() + at);
   }
 
-  /// As append(), but nothing is kept.
+  /// Counts like append(), but stores nothing.
   void count(std::uint64_t items) { size_.fetch_add(items, std::memory_order_relaxed); }
 
-  /// Items appended, written or not.
+  /// Returns how many items were appended, including those that were not stored.
   [[nodiscard]] std::uint64_t size() const {
     return OCTOCELL_FAULT(list_clips_at_capacity,
                           std::min(size_.load(std::memory_order_relaxed), items_.capacity()),
@@ -49,10 +50,10 @@ class SharedList {
   std::atomic<std::uint64_t> size_ = 0;
 };
 
-/// As many items as a thread brings to a list at a time.
+/// How many items a thread appends to a list at a time.
 inline constexpr std::size_t kListBlock = block_size(1024, 4);
 
-/// One thread's block. Flushes when full and at its end.
+/// One thread's block. Flushes when it is full and when it is destroyed.
 template <typename T, std::size_t kBlock, typename Sink = SharedList<T>>
 class ListWriter {
  public:

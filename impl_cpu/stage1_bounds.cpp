@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Stage 1, bounds: does the scene still look as the plan takes for granted?
+// Stage 1, bounds: are the plan's assumptions about the scene still true?
 // Reads spheres. Writes a violation, or nothing.
 // Cost: one pass, 16 bytes a sphere.
-// Idea: the plan's proofs rest on a few facts; checking them is one reduction, trusting them none.
+// Idea: the plan's proofs rest on a few facts; one reduction over the spheres checks them all.
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint64_t kBlock = block_size(1 << 16, 16);
 
-/// What the stages that will not run would have left behind.
+/// Leaves the results that the stages would have left if they ran.
 void leave_nothing(Workspace& w) {
   w.id_count = 0;
   w.cells.clear();

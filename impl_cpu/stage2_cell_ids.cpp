@@ -2,8 +2,8 @@
 // Stage 2, cell_ids: in which cells does each sphere lie?
 // Reads spheres, plan. Writes one home id a sphere, then all phantom ids; control bits.
 // Cost: about 40 operations a sphere and 8 bytes an id.
-// Idea: homes fill [0, n), phantoms follow, so that a stable sort by cell alone leaves the homes of
-//       each cell before its phantoms. Unused phantom slots are never written, hence never sorted.
+// Idea: homes fill [0, n), phantoms follow. So a stable sort by cell alone leaves the homes of each
+//       cell before its phantoms. Unused phantom slots are never written, so they are never sorted.
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -23,7 +23,7 @@ constexpr std::uint64_t kSpheresPerBlock = block_size(4096, 32);
 constexpr std::uint64_t kSpheresPerBatch = block_size(64, 8);
 constexpr std::size_t kPhantomsPerClaim = block_size(2048, 16);
 
-/// One thread's phantoms, claimed from the shared arrays 2048 at a time.
+/// Collects one thread's phantoms and copies them to the shared arrays, 2048 at a time.
 class PhantomWriter {
  public:
   PhantomWriter(const IdArrays& out, std::atomic<std::uint64_t>& next) : out_(out), next_(next) {}
@@ -36,7 +36,7 @@ class PhantomWriter {
     put_if(true, id, object);
   }
 
-  /// Branch-free: always writes, advances if `valid`. The caller has made room.
+  /// Appends without a branch: always writes, and advances if `valid`. Call make_room() before.
   void put_if(bool valid, std::uint32_t id, Object object) {
     cell_ids_[size_] = id;
     objects_[size_] = object;
@@ -94,7 +94,7 @@ struct Batch {
   }
 };
 
-/// At most two cells an axis: the corners of a 2 x 2 x 2 block, without a branch.
+/// Lists the corners of a 2 x 2 x 2 block without a branch; for at most two cells per axis.
 void list_corners(const Grid& grid, std::uint32_t sphere, const CellRange& range, Cell home,
                   PhantomWriter& phantoms) {
   const auto [low, high] = range;
@@ -115,7 +115,7 @@ void list_corners(const Grid& grid, std::uint32_t sphere, const CellRange& range
   }
 }
 
-/// Any number of cells: a large sphere among small cells.
+/// Lists any number of cells, as for a large sphere among small cells.
 void list_range(const Grid& grid, std::uint32_t sphere, const CellRange& range, Cell home,
                 PhantomWriter& phantoms) {
   const auto [low, high] = range;
@@ -131,7 +131,7 @@ void list_range(const Grid& grid, std::uint32_t sphere, const CellRange& range, 
   }
 }
 
-/// Home and phantoms of one sphere of a located batch.
+/// Lists the home and the phantoms of one sphere of a located batch.
 void list_cells(Workspace& w, const Batch& batch, std::size_t i, std::uint32_t sphere,
                 PhantomWriter& phantoms) {
   const Grid& grid = w.plan.grid;
@@ -143,7 +143,7 @@ void list_cells(Workspace& w, const Batch& batch, std::size_t i, std::uint32_t s
   list_range(grid, sphere, range, home, phantoms);
 }
 
-/// Calls per_block(begin, end, phantoms) for blocks of spheres, each with its own writer.
+/// Calls per_block(begin, end, phantoms) for blocks of spheres; each block has its own writer.
 template <typename PerBlock>
 void emit_blocks(Workspace& w, const PerBlock& per_block) {
   const std::uint64_t count = w.scene.spheres.size();
@@ -155,7 +155,7 @@ void emit_blocks(Workspace& w, const PerBlock& per_block) {
   w.id_count = next.load();
 }
 
-/// Calls per_sphere(batch, i, sphere, phantoms) with the batch located for boxes of p +-
+/// Calls per_sphere(batch, i, sphere, phantoms). The batch is located for boxes of p +-
 /// extent_of(r).
 template <typename ExtentOf, typename PerSphere>
 void emit_batches(Workspace& w, ExtentOf extent_of, const PerSphere& per_sphere) {
@@ -210,7 +210,7 @@ void emit_as_written(Workspace& w) {
 
 void cell_ids(Workspace& w) {
   w.current = 0;
-  w.used = w.used.without(Skip::sort).without(Skip::passes);  // to be found out for these ids
+  w.used = w.used.without(Skip::sort).without(Skip::passes);  // not yet known for these ids
   w.id_count = w.scene.spheres.size();
   if (w.violation || !w.ids_complete()) return;
   if (w.plan.method == Method::half_shell) return half_shell::cell_ids(w);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Stage 3, sort: bring equal cell ids together.
 // Reads and writes cell ids with their objects, grouped by cell, homes before phantoms.
-// Cost: 20 bytes an id and pass; ceil(key_bits / 9) passes.
-// Idea: only the bits that ids of this grid can have are sorted.
+// Cost: 20 bytes per id and pass; ceil(key_bits / 9) passes.
+// Idea: sort only by the bits that ids of this grid can have.
 #include <cstdint>
 
 #include "impl_cpu/radix_sort.hpp"

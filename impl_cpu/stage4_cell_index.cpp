@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Stage 4, cell_index: where does each cell begin, and how many homes and phantoms has it?
-// Reads sorted cell ids and objects. Writes one entry a cell in which a pair can be tested.
+// Stage 4, cell_index: where does each cell begin, and how many homes and phantoms does it have?
+// Reads sorted cell ids and objects. Writes one entry for each cell in which a pair can be tested.
 // Cost: 8 bytes an id.
-// Idea: a cell begins where the id changes; cells with nothing to test are left out here, once.
+// Idea: a cell begins where the id changes. Cells with nothing to test are left out here, once.
 #include <atomic>
 #include <cstdint>
 
@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t kIdsPerBlock = block_size(1 << 16, 16);
 using CellWriter = ListWriter<CellEntry, kListBlock>;
 
-/// Pairs that the rule looks at in a cell; zero: the cell is not kept.
+/// Returns how many pairs the rule tests in a cell; if zero, the cell is left out.
 std::uint64_t candidates_in(Rule rule, std::uint64_t homes, std::uint64_t phantoms) {
   const std::uint64_t all = homes + phantoms;
   if (rule == Rule::lowest_cell) return all * (all - 1) / 2;
@@ -56,7 +56,7 @@ void cell_index(Workspace& w) {
     CellWriter cells(w.cells);
     std::uint64_t seen = 0;
     std::uint64_t i = begin;
-    while (i < end && !sorted.begins_cell(i)) ++i;  // that cell is the block before's
+    while (i < end && !sorted.begins_cell(i)) ++i;  // the previous block handles that cell
     while (i < end) {
       const CellEntry cell = sorted.cell_at(i);
       const std::uint64_t here = candidates_in(w.plan.rule, cell.homes, cell.phantoms);

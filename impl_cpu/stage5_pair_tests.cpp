@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Stage 5, pair_tests: which spheres that share a cell overlap?
-// Reads spheres, sorted objects, cell index. Writes sure pairs, and uncertain pairs for stage 6.
-// Cost: 16 bytes gathered an id, then about one vector operation per eight candidates.
-// Idea: float32 with a proved filter decides all but a few pairs in a million; the rule that names
-//       the one cell in which a pair counts is asked only for pairs that may overlap.
+// Reads spheres, sorted objects, cell index. Writes certain pairs, and uncertain pairs for stage 6.
+// Cost: 16 bytes gathered per id, then about one vector operation per eight candidates.
+// Idea: float32 with a proved filter decides all but a few pairs in a million. The rule, which
+//       chooses the one cell where a pair counts, is evaluated only for pairs that may overlap.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace {
 constexpr std::uint64_t kCellsPerBlock = block_size(512, 8);
 constexpr std::uint64_t kPrefetchAhead = 24;
 
-/// What a rule is asked about: a member of a cell.
+/// A member of a cell, as rules see it.
 struct Member {
   Object object;
   [[nodiscard]] std::uint32_t id() const { return object & kIdMask; }
@@ -35,8 +35,8 @@ struct EveryPair {
   [[nodiscard]] bool counts_here(Member, Member) const { return true; }
 };
 
-/// The cell must be the lowest that both spheres meet: on each axis, the lowest of one of them.
-/// (Dittrich and Seeger, ICDE 2000, reference point method.)
+/// Rule lowest_cell: the cell must be the lowest that both spheres meet; on each axis, it is the
+/// lowest cell of one of them (Dittrich and Seeger, ICDE 2000, reference point method).
 struct LowestCell {
   static constexpr bool rows_are_homes = false;
   [[nodiscard]] bool counts_here(Member a, Member b) const {
@@ -45,7 +45,7 @@ struct LowestCell {
   }
 };
 
-/// A row is a home, so its home's type is the cell's.
+/// Rule chapter32. A row of the tile is a home, so the type of its home is the type of the cell.
 struct Chapter32 {
   static constexpr bool rows_are_homes = true;
   const chapter32::ControlBits* control_bits;
@@ -55,7 +55,7 @@ struct Chapter32 {
   }
 };
 
-/// The course text: home with home; home with phantom if the phantom's home id is the larger.
+/// Rule as_written: tests two homes, or a home and a phantom if the phantom's home id is larger.
 struct AsWritten {
   static constexpr bool rows_are_homes = true;
   const Sphere* spheres;
@@ -94,7 +94,7 @@ class PairTester {
     tile.pad();
   }
 
-  /// The first `rows` of the tile against all that follow them.
+  /// Tests the first `rows` spheres of the tile against all that follow them.
   void test_within(const Tile<test>& tile, std::size_t rows) {
     for (std::size_t i = 0; i < rows; ++i)
       test_row(tile, i, tile, OCTOCELL_FAULT(tile_pairs_with_self, i, i + 1));
@@ -123,8 +123,8 @@ class PairTester {
   PairSink sink_;
 };
 
-/// All tile pairs of `count` members, tile rows shared out among the threads.
-/// load(tester, tile, offset, size) fills a tile; only the first `rows` members act as rows.
+/// Tests all pairs of `count` members, tile by tile; threads share the rows of tiles. load(tester,
+/// tile, offset, size) fills a tile. Only the first `rows` members act as rows.
 template <PairTest test, typename RuleTest, typename Load>
 void test_tiles(Workspace& w, RuleTest rule, std::uint64_t rows, std::uint64_t count, Load load) {
   const std::uint64_t row_tiles = (rows + kTileSpheres - 1) / kTileSpheres;
@@ -154,7 +154,7 @@ void test_crowded_cell(Workspace& w, RuleTest rule, const CellEntry& cell) {
                    });
 }
 
-/// Cells that fit a tile, block by block; then the crowded ones, each by all threads.
+/// Tests cells that fit into a tile, block by block; then the larger ones, each by all threads.
 template <PairTest test, typename RuleTest>
 void test_cells(Workspace& w, RuleTest rule) {
   const std::span<const CellEntry> cells = w.cells.items();

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Stage 6, resolve: decide the uncertain pairs.
 // Reads uncertain pairs, spheres. Writes pairs.
-// Cost: about 10 ns a pair, of which there are a few in a million, but all of a tangent lattice.
+// Cost: about 10 ns per uncertain pair. Few pairs in a million are uncertain, but all pairs of a
+//       lattice of tangent spheres are.
 // Idea: float64 with an error bound, error-free transformations, integers: the first that is
-//       certain answers.
+//       certain decides.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -21,7 +22,7 @@ constexpr std::size_t kPrefetchAhead = 16;
 constexpr std::uint32_t kAtOnce = block_size(8, 4);
 using Reals = Vector<double, kAtOnce>;
 
-/// Spheres of some pairs, field by field.
+/// Spheres of several pairs, one array per field.
 struct Abreast {
   float x[kAtOnce] = {};
   float y[kAtOnce] = {};
@@ -35,7 +36,7 @@ struct Abreast {
   }
 };
 
-/// Level 2 for some uncertain pairs at once: which overlap, and which it cannot tell.
+/// Level 2 for several uncertain pairs at once: the pairs that overlap, and those still uncertain.
 struct Verdicts {
   LaneBits overlap;
   LaneBits uncertain;
@@ -83,7 +84,7 @@ void resolve_block(Workspace& w, std::span<const Pair> uncertain_pairs) {
 
 void resolve(Workspace& w) {
   constexpr std::uint64_t kUncertainPerBlock = block_size(4096, 8);
-  if (w.plan.count_only) return;  // stage 5 had them resolved block by block
+  if (w.plan.count_only) return;  // stage 5 has resolved them block by block
   const std::span<const Pair> uncertain_pairs = w.uncertain_pairs.items();
   w.threads->for_blocks(
       OCTOCELL_FAULT(uncertain_pairs_after_first_block_lost,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The six stages of impl_cpu, and what they hand on.
+// The six stages of impl_cpu, and the data that they pass on.
 #pragma once
 
 #include <cstdint>
@@ -21,10 +21,10 @@
 
 namespace octocell::cpu {
 
-/// Stage 5 works on tiles of this many spheres; cells with more are shared out among the threads.
+/// Stage 5 works on tiles of this many spheres; threads share the work of cells with more.
 inline constexpr std::size_t kTileSpheres = block_size(1024, 16);
 
-/// Cell ids with their objects. Sorting moves them between two of these.
+/// Cell ids with their objects. A sort moves them between two of these.
 struct IdArrays {
   Buffer<std::uint32_t> cell_ids;
   Buffer<Object> objects;
@@ -34,32 +34,34 @@ struct IdArrays {
   }
 };
 
-/// Everything the stages share. Sized by the plan in upload(); the stages allocate nothing.
+/// All data that the stages share. upload() allocates it as the plan says; the stages allocate
+/// nothing.
 struct Workspace {
   Plan plan;
   SceneView scene;
-  std::shared_ptr<Threads> threads;  // workspaces of parts of a scene share them
+  std::shared_ptr<Threads> threads;  // shared with the workspaces of parts of a scene
 
-  IdArrays ids[2];                              // [plan.capacity.ids]
-  int current = 0;                              // which of the two holds the ids now
-  std::uint64_t id_count = 0;                   // ids needed; more than the capacity: none is valid
+  IdArrays ids[2];             // [plan.capacity.ids]
+  int current = 0;             // which of the two arrays holds the ids now
+  std::uint64_t id_count = 0;  // ids needed; if more than the capacity, none is valid
   Buffer<chapter32::ControlBits> control_bits;  // [spheres], rule chapter32 only
   SharedList<CellEntry> cells;
   SharedList<std::uint32_t> crowded_cells;   // indices into cells: too large for one tile
   OrderedSpheres ordered;                    // method half_shell only
-  std::vector<std::uint64_t> rows_of_block;  // of its stage 4: how many each block listed
-  SharedList<Pair> uncertain_pairs;          // in a count_only plan only counted: see resolve()
+  std::vector<std::uint64_t> rows_of_block;  // stage 4 of half_shell: how many rows each block
+                                             // listed
+  SharedList<Pair> uncertain_pairs;  // a count_only plan only counts them: see resolve_block()
   PairList pairs;
 
-  PlanFacts facts;  // of the scene, as stage 1 has seen it last
+  PlanFacts facts;  // of the scene, as measured by the last stage 1
   std::uint64_t candidates = 0;
-  Skips used;  // of those that only the data can allow
+  Skips used;  // the skips, among those that depend on the data, that this run took
   std::optional<std::string> violation;
 
-  /// Room for what the plan says.
+  /// Allocates what the plan says.
   void allocate();
 
-  /// Before each run.
+  /// Clears the results of the last run; called before each run.
   void forget_last_run() {
     violation.reset();
     candidates = 0;
@@ -67,16 +69,17 @@ struct Workspace {
   }
 
   [[nodiscard]] bool ids_complete() const { return id_count <= plan.capacity.ids; }
-  /// Whether later stages have something sound to work on.
+  /// Returns true if the results of the stages so far are valid and complete.
   [[nodiscard]] bool may_test_pairs() const {
     return !violation && ids_complete() && cells.complete() && candidates <= plan.candidate_limit;
   }
 };
 
-/// What Workspace::allocate() makes room for and a run writes to, and what frames keep besides.
+/// Returns the bytes that Workspace::allocate() reserves and a run writes, with those that frames
+/// keep.
 HostBytes bytes_of(const Plan& plan, std::uint64_t spheres);
 
-/// Whether these facts are at least as strong as those of a plan.
+/// Returns true if these facts are at least as strong as those of a plan.
 bool are_within(const PlanFacts& seen, const PlanFacts& planned);
 
 void bounds(Workspace& w);
@@ -86,9 +89,8 @@ void cell_index(Workspace& w);
 void pair_tests(Workspace& w);
 void resolve(Workspace& w);
 
-/// Decides a few uncertain pairs at once. A count_only plan, which must not need memory in
-/// proportion to its pairs, has stage 5 call this for each full block instead of storing it for
-/// stage 6.
+/// Decides a few uncertain pairs at once. A count_only plan must not need memory in proportion to
+/// its pairs. So its stage 5 calls this for each full block instead of storing it for stage 6.
 void resolve_block(Workspace& w, std::span<const Pair> uncertain_pairs);
 
 }  // namespace octocell::cpu

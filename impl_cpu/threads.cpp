@@ -13,15 +13,15 @@
 
 namespace octocell::cpu {
 
-/// (asio's own thread_pool waits for ever, in its constructor, where a thread cannot be made: those
-/// that were made wait for work.)
+/// Not asio's own thread_pool: if the system cannot make a thread, its constructor waits forever
+/// for the threads that were made, which wait for work.
 struct Threads::Pool {
   explicit Pool(int count) {
     threads.reserve(static_cast<std::size_t>(count));
     try {
       for (int t = 0; t < count; ++t) threads.emplace_back([this] { context.run(); });
     } catch (const std::exception&) {
-      // The system gives no more. Those that are there do the work.
+      // The system gives no more threads. Those that exist do the work.
     }
   }
   ~Pool() {

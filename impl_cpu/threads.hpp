@@ -9,10 +9,10 @@
 
 namespace octocell::cpu {
 
-/// A fixed set of threads, the caller's among them (the others take their work from Boost.Asio).
+/// A fixed set of threads, including the caller's (the others take their work from Boost.Asio).
 class Threads {
  public:
-  /// Where the system gives no more threads, there are fewer.
+  /// If the system does not give that many threads, there are fewer.
   explicit Threads(int count);
   ~Threads();
   Threads(const Threads&) = delete;
@@ -21,11 +21,11 @@ class Threads {
   [[nodiscard]] int asked() const { return asked_; }
   [[nodiscard]] int count() const { return count_; }
 
-  /// Calls task(t) for every t in [0, count()), at once; returns when all are done.
+  /// Calls task(t) for every t in [0, count()), at the same time; returns when all are done.
   void run(const std::function<void(int)>& task);
 
-  /// Splits [0, size) into blocks of `block` and hands each to the next idle thread as
-  /// work(begin, end).
+  /// Splits [0, size) into blocks of `block` and calls work(begin, end) for each on the next idle
+  /// thread.
   template <typename Work>
   void for_blocks(std::uint64_t size, std::uint64_t block, const Work& work) {
     std::atomic<std::uint64_t> next = 0;
@@ -40,7 +40,8 @@ class Threads {
     run(take_blocks);
   }
 
-  /// Whether holds(begin, end) of each block; once it does not, no more are asked.
+  /// Returns true if holds(begin, end) is true for each block. After the first false, calls it no
+  /// more.
   template <typename Holds>
   bool for_all_blocks(std::uint64_t size, std::uint64_t block, const Holds& holds) {
     std::atomic<bool> all = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Up to 1024 spheres, field by field, next to each other: what the inner loop of stage 5 reads.
+// Up to 1024 spheres, one array per field: the data that the inner loop of stage 5 reads.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct Tile {
       block_size(8, 4);  // 16 were slower: most cells hold fewer
   using Number = NumberOf<test>;
 
-  // Lanes may reach past the last sphere; what is read there is not used.
+  // Lanes may reach past the last sphere; the values there are not used.
   alignas(64) Number x[kTileSpheres + kLanes];
   alignas(64) Number y[kTileSpheres + kLanes];
   alignas(64) Number z[kTileSpheres + kLanes];
@@ -35,7 +35,7 @@ struct Tile {
     ++size;
   }
 
-  /// Defines the lanes past the end.
+  /// Fills the lanes past the end.
   void pad() {
     for (std::size_t k = size; k < size + kLanes; ++k) x[k] = y[k] = z[k] = r[k] = Number{};
   }
@@ -43,7 +43,8 @@ struct Tile {
   [[nodiscard]] FieldsOf<test> fields() const { return {x, y, z, r}; }
   [[nodiscard]] std::uint32_t id(std::size_t i) const { return object[i] & kIdMask; }
 
-  /// Which of spheres j to j + kLanes may overlap sphere i of `rows`: one bit each.
+  /// Returns one bit for each of spheres j to j + kLanes: whether it may overlap sphere i of
+  /// `rows`.
   [[nodiscard, gnu::always_inline]] LaneBits may_overlap(const Tile& rows, std::size_t i,
                                                          std::size_t j) const {
     const LaneBits found = Lanes<test, kLanes>(fields(), j).may_overlap(rows.fields(), i);

@@ -32,7 +32,8 @@ HostBytes bytes_of(const Plan& plan, std::uint64_t spheres) {
   if (plan.method == Method::half_shell) {
     bytes.per_cell = sizeof(Row);
     of_sphere = 4.0 * sizeof(float) + (is_packed(plan.test) ? 4.0 * sizeof(std::uint16_t) : 0.0);
-    // A list of neighbours has its own order, and three copies of the spheres; frames keep one.
+    // A neighbor list has its own ids and order and three copies of the spheres; the snapshot is
+    // one more.
     if (plan.moving) of_sphere += of_sphere + kSidesOfIds + 4.0 * sizeof(Sphere) + sizeof(float);
   }
   bytes.fixed = of_sphere * static_cast<double>(spheres);
