@@ -7,9 +7,11 @@
 namespace octocell::cpu::coherence {
 namespace {
 
-/// Below this share of spheres that stand still, a search of the others is not worth its time.
+/// If a smaller share of spheres than this stand still, it is not worthwhile to search only the
+/// others.
 constexpr float kMostlyStill = 0.75F;
-/// Above this one it is worth more than a neighbor list, for which all are looked at.
+/// If more than this stand still, searching the others is cheaper than a neighbor list, which reads
+/// all spheres.
 constexpr float kNearlyAllStill = 0.97F;
 
 bool has_all_pairs(const Workspace& w) {
@@ -17,7 +19,7 @@ bool has_all_pairs(const Workspace& w) {
          w.uncertain_pairs.size() <= w.plan.capacity.uncertain_pairs;
 }
 
-/// Not in a frame of another number of spheres.
+/// Returns false in a frame whose number of spheres is not the plan's.
 bool is_planned(const Workspace& w) { return w.scene.spheres.size() == w.plan.facts.sphere_count; }
 
 }  // namespace
@@ -113,12 +115,12 @@ void Coherence::forget() {
   near_.forget();
 }
 
-/// Whether the next frame may be spared something by a copy of this one.
+/// Returns true if a snapshot of this frame may save the next one work.
 bool Coherence::copy_pays(const Workspace& w) const {
   return repairs_pay(w) || (w.plan.allowed.has(Skip::unchanged) && none_moves());
 }
 
-/// The first frame is given the benefit of the doubt.
+/// The first frame has no sample yet and counts as if nothing moves.
 bool Coherence::none_moves() const { return !motion_ || motion_->still_share == 1.0F; }
 
 bool Coherence::repairs_pay(const Workspace& w) const {
@@ -127,7 +129,8 @@ bool Coherence::repairs_pay(const Workspace& w) const {
   return motion_->still_share >= kMostlyStill && !(has_skin(w) && skin_.pays_for(*motion_));
 }
 
-/// Against the copy, if there is one and it looks worth while; of as many as can be of use.
+/// Lists the spheres that differ from the snapshot, if there is one and this looks worthwhile.
+/// Stops when there are more than can be of use.
 void Coherence::list_changed(const Workspace& w) {
   const bool may_repair = movers_.others_stand() && repairs_pay(w);
   const bool is_of_use = may_repair || (w.plan.allowed.has(Skip::unchanged) && none_moves());
@@ -137,7 +140,7 @@ void Coherence::list_changed(const Workspace& w) {
   changes_are_listed_ = changed_.size() <= most;
 }
 
-/// False: there is nothing that stands, or too little.
+/// Returns false if no earlier pairs can be reused, or too few.
 bool Coherence::repair(Workspace& w) {
   const bool may_repair = movers_.others_stand() && repairs_pay(w);
   if (!may_repair || !changes_are_listed_ || !movers_.add(changed_.items())) return false;
@@ -164,7 +167,7 @@ bool Coherence::reuse_list(Workspace& w) {
   return true;
 }
 
-/// Nothing is said of the movers from here on; the copy is of this frame, if it is of any use.
+/// Starts without movers from here on, with a snapshot of this frame if one may be of use.
 void Coherence::copy_anew(const Workspace& w) {
   kept_.forget();
   movers_.forget();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one frame may take over from the last (docs/decisions/0016-frame-coherence.md).
+// What a frame may reuse from the last one (docs/decisions/0016-frame-coherence.md).
 #pragma once
 
 #include <cstdint>
@@ -17,33 +17,33 @@ namespace octocell::cpu::coherence {
 
 /// What a frame does.
 enum class FrameMode : std::uint8_t {
-  everything,  // as if there had been no frame before
-  nothing,     // no sphere has changed: the pairs stand
-  movers,      // pairs of spheres that have not moved stand
-  new_list,    // everything, with a skin: neighbor pairs are found, and of them those that overlap
-  neighbor_list,  // no sphere has left the skin: pairs are among the near ones
+  everything,     // searches as if there had been no frame before
+  nothing,        // no sphere has changed: keeps the pairs
+  movers,         // keeps the pairs of spheres that have not moved
+  new_list,       // searches with a skin: finds neighbor pairs, and among them those that overlap
+  neighbor_list,  // no sphere has left the skin: tests only the neighbor pairs
 };
 
-/// For plans that move, with method half_shell, that store their pairs; for others it does nothing.
+/// Works for moving plans with method half_shell that store their pairs; does nothing for others.
 class Coherence {
  public:
-  /// Another plan: nothing is known any more.
+  /// Forgets everything; for a new plan.
   void reset(const Workspace& w);
-  /// Something else than spheres has changed.
+  /// Forgets all pairs; call if something other than the spheres has changed.
   void forget();
 
   /// Before stage 1. Returns true if no sphere changed since the pairs in w were found.
   bool nothing_changed(Workspace& w);
-  /// Before stage 1, too. True: its facts hold, as no sphere has moved far, and neighbor pairs
-  /// serve.
+  /// Also before stage 1. Returns true if the neighbor list can be reused. Its facts then hold,
+  /// because no sphere has moved far.
   bool list_is_valid(Workspace& w);
-  /// After stage 1.
+  /// After stage 1: decides what this frame does.
   void choose_mode(Workspace& w);
-  /// What stages 2 to 4 work on.
+  /// Returns the workspace that stages 2 to 4 work on.
   Workspace& ordered_now(Workspace& w);
-  /// Stage 5.
+  /// Runs stage 5.
   void pair_tests(Workspace& w);
-  /// After stage 6.
+  /// After stage 6: forgets what an incomplete frame found.
   void remember(const Workspace& w);
 
   [[nodiscard]] bool runs(Stage stage) const;
@@ -67,7 +67,7 @@ class Coherence {
   std::optional<FrameMotion> motion_;
   Snapshot kept_;
   bool changes_are_listed_ = false;
-  SharedList<std::uint32_t> changed_;  // since the frame before
+  SharedList<std::uint32_t> changed_;  // since the last frame
   Movers movers_;
   NeighborList near_;
   SkinWidth skin_;

@@ -12,10 +12,10 @@ namespace octocell::cpu::coherence {
 
 class MotionSample {
  public:
-  /// Forgets what it saw. The next scenes have as many spheres; those that are static now are not
-  /// looked at, unless all are.
+  /// Forgets all earlier frames. The next scenes have as many spheres as this one. Spheres that are
+  /// static now are not sampled, unless all are.
   void reset(SceneView scene);
-  /// Compares with the frame before. None for the first.
+  /// Compares with the last frame. Returns none for the first.
   std::optional<FrameMotion> observe(SceneView scene);
 
  private:

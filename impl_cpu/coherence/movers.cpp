@@ -14,7 +14,8 @@
 namespace octocell::cpu::coherence {
 namespace {
 
-/// One in so many: where the work on them nears that on all (docs/decisions/0016).
+/// One sphere in six: with more movers, working on them takes as long as working on all
+/// (docs/decisions/0016).
 constexpr std::uint64_t kOneIn = 6;
 constexpr std::uint64_t kAlwaysAllowed = block_size(16, 4);
 constexpr std::uint64_t kPairsPerBlock = block_size(1 << 15, 16);
@@ -77,7 +78,7 @@ void Movers::find_pairs(Workspace& whole) {
                      half_shell::test_among(whole, moved_.ordered);
 }
 
-/// Closes ranks within each block, then between the blocks.
+/// Removes the pairs of movers: closes the gaps within each block, then between the blocks.
 void Movers::drop_pairs(Workspace& whole) {
   const std::span<Pair> pairs = whole.pairs.stored();
   const auto per_block = [&](std::uint64_t begin, std::uint64_t end) {
@@ -87,7 +88,7 @@ void Movers::drop_pairs(Workspace& whole) {
       pairs[stands] = pair;
       stands += OCTOCELL_FAULT(frame_pairs_of_movers_stand, has(pair.i), has(pair.i) | has(pair.j))
                     ? 0
-                    : 1;  // no branch: it could not be predicted
+                    : 1;  // no branch, because it could not be predicted
     }
     standing_[begin / kPairsPerBlock] = stands - begin;
   };
@@ -102,7 +103,7 @@ void Movers::drop_pairs(Workspace& whole) {
   whole.pairs.cut(stand);
 }
 
-/// A sphere whose place is not a number overlaps nothing.
+/// Takes movers out of the old order: a sphere whose x is not a number overlaps nothing.
 void Movers::take_out_of_order(Workspace& whole) {
   if (taken_out_ == count_) return;
   OrderedSpheres& o = whole.ordered;
@@ -116,7 +117,7 @@ void Movers::take_out_of_order(Workspace& whole) {
   taken_out_ = count_;
 }
 
-/// Stages 2 to 4 know the movers by their number among themselves.
+/// Stages 2 to 4 number the movers from 0; this replaces those numbers by sphere ids.
 void Movers::name_by_id() {
   Object* const names = moved_.ids[moved_.current].objects.data();
   for (std::uint64_t k = 0; k < count_; ++k) names[k] = movers_[names[k]];

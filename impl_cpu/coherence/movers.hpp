@@ -9,31 +9,32 @@
 
 namespace octocell::cpu::coherence {
 
-/// The spheres that have moved since all of them were last put in order, and the order of the
-/// others, which stands.
+/// The spheres that have moved since all spheres were last put in order. The order of the others is
+/// still right.
 ///
-/// Two spheres that are not among the movers are where they were then, so their pairs stand. Pairs
-/// with a mover are dropped and found again: the movers pass through stages 2 to 4 by themselves,
-/// and stage 5 tests them against each other and against those that stand.
+/// Two spheres that are not movers are where they were then, so their pairs are kept. Pairs with a
+/// mover are dropped and found again: the movers pass through stages 2 to 4 by themselves, and
+/// stage 5 tests them against one another and against the spheres that have not moved.
 class Movers {
  public:
   void allocate(const Workspace& whole);
 
-  /// All spheres have just been put in order, or will be in this frame: none has moved since.
+  /// Starts without movers; call if all spheres have just been put in order, or will be in this
+  /// frame.
   void start_anew();
   void forget() { others_stand_ = false; }
   [[nodiscard]] bool others_stand() const { return others_stand_; }
 
-  /// More than these, and putting all in order again is cheaper.
+  /// Returns the most movers; with more, putting all spheres in order again is cheaper.
   [[nodiscard]] std::uint64_t most() const { return most_; }
 
-  /// These differ from the frame before. False: the movers have become too many.
+  /// Adds spheres that differ from the last frame. Returns false if there are too many movers.
   bool add(std::span<const std::uint32_t> changed);
-  /// What stages 2 to 4 work on: all movers, where they are now.
+  /// Prepares the input of stages 2 to 4: all movers, where they are now.
   void gather(const Workspace& whole);
   Workspace& workspace() { return moved_; }
 
-  /// Stage 5.
+  /// Runs stage 5.
   void find_pairs(Workspace& whole);
 
  private:
@@ -47,10 +48,10 @@ class Movers {
   bool others_stand_ = false;
   std::uint64_t most_ = 0;
   std::uint64_t count_ = 0;
-  std::uint64_t taken_out_ = 0;          // of the movers: their old places are void
+  std::uint64_t taken_out_ = 0;          // so many movers are already taken out of the old order
   Buffer<std::uint32_t> movers_;         // [most]: their ids
-  std::vector<std::uint64_t> is_mover_;  // a bit a sphere
-  std::vector<std::uint64_t> standing_;  // pairs of each block that stand
+  std::vector<std::uint64_t> is_mover_;  // one bit per sphere
+  std::vector<std::uint64_t> standing_;  // for each block of pairs: how many are kept
   Buffer<Sphere> now_;                   // [most]
   Workspace moved_;
 };

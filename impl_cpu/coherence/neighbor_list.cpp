@@ -23,21 +23,22 @@ namespace {
 constexpr std::uint64_t kSpheresPerBlock = block_size(1 << 13, 16);
 constexpr std::uint64_t kPairsPerBlock = block_size(1 << 12, 8);
 constexpr std::uint64_t kPrefetchAhead = 128;
-constexpr std::uint64_t kMostPerPair = 2;  // neighbor pairs, for each pair that there is room for
+constexpr std::uint64_t kMostPerPair = 2;  // the most neighbor pairs, for each pair that there is
+                                           // room for
 
 bool same_radius(const Sphere& a, const Sphere& b) {
   return std::bit_cast<std::uint32_t>(a.r) == std::bit_cast<std::uint32_t>(b.r);
 }
 
-/// Where there are no static spheres, the n-th that may move has place n.
+/// Without static spheres, the n-th movable sphere has place n.
 struct AllPlaces {
   std::uint64_t count;
   [[nodiscard]] std::uint64_t size() const { return count; }
   std::uint64_t operator[](std::uint64_t n) const { return n; }
 };
 
-/// Whether spheres that keep their radii and go no further than `step` cannot break the plan's
-/// facts.
+/// Returns true if the plan's facts still hold as long as radii stay the same and no sphere moves
+/// further than `step`.
 bool steps_keep_facts(const Workspace& w, float step) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   PlanFacts then = w.facts;
@@ -62,7 +63,7 @@ void NeighborList::allocate(const Workspace& whole) {
   grown_.plan.levels = cells.levels;
   grown_.plan.key_bits = cells.key_bits;
   grown_.plan.test =
-      PairTest::filter_safe;  // grown radii may leave the range that the plan has seen
+      PairTest::filter_safe;  // enlarged radii may leave the range that the plan knows
   const std::uint64_t pairs = whole.plan.capacity.pairs;
   grown_.plan.capacity = {.ids = count, .uncertain_pairs = pairs, .pairs = kMostPerPair * pairs};
   grown_.scene.spheres = {spheres_.data(), count};
@@ -101,7 +102,7 @@ bool NeighborList::find(Workspace& whole) {
   return true;
 }
 
-/// Pairs that may not collide are not worth a look in every frame.
+/// Pairs that may not collide would only cost time in every frame.
 void NeighborList::put_flags_in_order(std::span<const Flags> flags) {
   flags_.resize(flags.size());
   for (std::size_t k = 0; k < flags.size(); ++k) flags_[k] = flags[order()[k]];
@@ -125,14 +126,15 @@ void NeighborList::fetch_then(const Workspace& whole) {
   for (std::size_t n = 0; n < movable_.size(); ++n) then_[n] = now_[movable_[n]];
 }
 
-/// Asked of the predicate itself: is the point within the ball of half the skin?
+/// Calls the exact predicate: is the point within the ball of half the skin?
 bool NeighborList::is_within_skin(const Sphere& then, const Sphere& now) const {
   return same_radius(then, now) && std::isfinite(now.x + now.y + now.z) &&
          overlap_exact({then.x, then.y, then.z, half_skin_}, {now.x, now.y, now.z, 0.0F});
 }
 
-/// Float32 is certain of nearly all; the others are asked for one by one.
-/// `places[n]`: the place in the order of the n-th that may move.
+/// Fetches spheres [begin, end) and proves that each is within the skin. Float32 is certain for
+/// nearly all; the others are tested one by one. `places[n]` is the place, in column order, of the
+/// n-th movable sphere.
 template <typename Places>
 bool NeighborList::fetch(const Workspace& whole, const Places& places, std::uint64_t begin,
                          std::uint64_t end) {
@@ -164,7 +166,7 @@ bool NeighborList::still_hold(const Workspace& whole) {
   return statics_stand(whole) && movable_are_near(whole, std::span(movable_));
 }
 
-/// As they come: they need not be put in order, as then_ and now_ have them.
+/// Compares static spheres in the scene's own order, which needs no gather.
 bool NeighborList::statics_stand(const Workspace& whole) const {
   const Sphere* const spheres = whole.scene.spheres.data();
   const Flags* const flags = whole.scene.flags.data();
@@ -187,7 +189,8 @@ bool NeighborList::movable_are_near(const Workspace& whole, const Places& places
       [&](std::uint64_t begin, std::uint64_t end) { return fetch(whole, places, begin, end); });
 }
 
-/// Whether a near pair overlaps is anybody's guess, so candidates are picked without a branch.
+/// Whether a neighbor pair overlaps cannot be predicted, so candidates are collected without a
+/// branch.
 template <PairTest test>
 void NeighborList::decide_block(Workspace& whole, std::span<const Pair> near) const {
   std::array<std::uint32_t, kPairsPerBlock> picked;

@@ -9,30 +9,31 @@
 
 namespace octocell::cpu::coherence {
 
-/// A neighbor list (Verlet 1967, Computer "experiments" on classical fluids): those that would
+/// A neighbor list (Verlet 1967, Computer "experiments" on classical fluids): the pairs that would
 /// overlap if every radius were larger by h, half of the skin. As long as no sphere is further than
-/// h from where it was then, and no radius has changed, pairs that overlap are among them:
-/// |p - q| <= r + r' now implies |p - q| <= (r + h) + (r' + h) then.
-/// Static spheres are expected to stand: theirs do not grow, and not a bit of them may change.
+/// h from where it was then, and no radius has changed, all pairs that overlap are in the list: |p
+/// - q| <= r + r' now implies |p - q| <= (r + h) + (r' + h) then. Static spheres are expected not
+/// to move: they do not grow, and none of their bits may change.
 class NeighborList {
  public:
   void allocate(const Workspace& whole);
   [[nodiscard]] bool are_known() const { return are_known_; }
   void forget() { are_known_ = false; }
-  /// Whether no sphere can break a fact of the plan as long as the list holds.
+  /// Returns true if no sphere can break a fact of the plan as long as the list is valid.
   [[nodiscard]] bool imply_facts() const { return imply_facts_; }
 
-  /// What stages 2 to 4 work on: all spheres, grown by half the skin if they are not static.
+  /// Prepares the input of stages 2 to 4: all spheres, enlarged by half the skin unless they are
+  /// static.
   void grow(const Workspace& whole, float half_skin);
   Workspace& workspace() { return grown_; }
 
-  /// Stage 5, the search. False: the list is too long to be of use.
+  /// Runs stage 5 as a search. Returns false if the list is too long to be of use.
   bool find(Workspace& whole);
 
-  /// Stage 1, of later frames: fetches what has moved, and proves that the list still holds.
+  /// Stage 1 of later frames: fetches movable spheres, and proves that the list is still valid.
   bool still_hold(const Workspace& whole);
 
-  /// Stage 5: which neighbor pairs overlap now?
+  /// Stage 5 of later frames: decides which neighbor pairs overlap now.
   void decide(Workspace& whole) const;
 
  private:
@@ -57,15 +58,15 @@ class NeighborList {
   bool are_known_ = false;
   bool imply_facts_ = false;
   float half_skin_ = 0.0F;
-  Buffer<Sphere> spheres_;  // grown, except for the static ones
-  Workspace grown_;         // its pairs are numbers in the order of the columns: neighbours in
-                            // space are neighbours in memory
-  std::vector<std::uint32_t> places_;   // 0, 1, 2 ...: what pairs are told by
-  std::vector<Flags> flags_;            // in that order, as they were when the list was made
-  std::vector<std::uint32_t> movable_;  // where there are flags: the places in that order of those
-                                        // that are not static
-  std::vector<Object> movable_ids_;     // and their numbers in the scene
-  Buffer<Sphere> then_;                 // of those that may move, when the list was made
+  Buffer<Sphere> spheres_;  // enlarged, except for static ones
+  Workspace grown_;  // stores pairs as numbers in column order, so neighbours in space are close in
+                     // memory
+  std::vector<std::uint32_t> places_;   // 0, 1, 2 ...: the ids that pairs are stored with
+  std::vector<Flags> flags_;            // in column order, as they were when the list was made
+  std::vector<std::uint32_t> movable_;  // if there are flags: the places of movable spheres in
+                                        // column order
+  std::vector<Object> movable_ids_;     // their ids in the scene
+  Buffer<Sphere> then_;                 // movable spheres as they were when the list was made
   Buffer<Sphere> now_;
 };
 

@@ -10,8 +10,8 @@
 
 namespace octocell::cpu::coherence {
 
-/// The spheres whose pairs are stored, byte for byte: equal bytes have equal pairs. (A hash would
-/// take less room and prove nothing.)
+/// A copy of the spheres whose pairs are stored. If all bytes are equal, so are the pairs. (A hash
+/// would take less memory, but prove nothing.)
 class Snapshot {
  public:
   void allocate(std::uint64_t sphere_count) {
@@ -22,10 +22,10 @@ class Snapshot {
   void forget() { is_kept_ = false; }
 
   void keep(SceneView scene, Threads& threads);
-  /// The same for some of them, when the others have not changed.
+  /// Updates the copy for some spheres; the others have not changed.
   void keep(SceneView scene, std::span<const std::uint32_t> changed);
 
-  /// Lists the spheres that differ, and stops once there are more than `most` of them.
+  /// Lists the spheres that differ; stops when there are more than `most`.
   void list_changed(SceneView scene, Threads& threads, std::uint64_t most,
                     SharedList<std::uint32_t>& changed) const;
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Rows several diameters wide: which of their spheres may have partners in an adjacent row?
 //
-// Only those that a diameter reaches over the border, so all others are left out. Cells are
-// monotone in the coordinate: where fl(place + diameter) lies in a cell or below it, so does every
-// partner of a sphere at `place` or below it (docs/exactness.md, "Half shell"). Where the border
-// lies is a guess; that it is a good one is asked of the cell formula, and where it is not, no
-// sphere is left out. Nor is one where an axis wraps and the row has spheres of several far cells.
+// Only spheres within a diameter of the border; all others are left out. Cells are monotone in the
+// coordinate: if fl(place + diameter) lies below a border, so do all partners of a sphere at
+// `place` or below (docs/exactness.md, "Half shell"). The position of the border is a guess, which
+// the cell formula checks; if it is wrong, no sphere is left out. Nor is any left out if an axis
+// wraps and the row has spheres of several far cells.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,8 @@
 
 namespace octocell::cpu::half_shell {
 
-/// Centres of a row that may have partners in a certain other row lie in this, borders excluded.
+/// The centres of a row that may have partners in a certain other row lie in this strip, without
+/// its borders.
 struct Strip {
   float lowest_y = -HUGE_VALF;
   float highest_y = HUGE_VALF;
@@ -28,15 +29,15 @@ struct Strip {
   float highest_z = HUGE_VALF;
 };
 
-/// Between two adjacent cells of an axis: partners lie above `lower` in the lower of the two, and
-/// below `upper` in the upper.
+/// The border between two adjacent cells of an axis. Partners in the lower cell lie above `lower`;
+/// partners in the upper cell lie below `upper`.
 struct Border {
   float lower = -HUGE_VALF;
   float upper = HUGE_VALF;
 };
 
-/// The cell of an axis, not wrapped, that all values lie in; none if they lie in several. There is
-/// at least one value.
+/// Returns the cell of an axis, not wrapped, that holds all values; none if several cells do. There
+/// must be at least one value.
 inline std::optional<std::uint32_t> common_cell(const Grid& grid, int axis,
                                                 std::span<const float> values) {
   using Floats = Vector<float, block_size(16, 4)>;
@@ -58,14 +59,15 @@ inline std::optional<std::uint32_t> common_cell(const Grid& grid, int axis,
   return cell;
 }
 
-/// Below cell `above`, not wrapped, for spheres whose centres are at most `distance` apart.
+/// Returns the border below cell `above`, not wrapped, for partners at most `distance` apart.
 inline Border border_below(const Grid& grid, int axis, std::uint32_t above, float distance) {
   if (above == 0 || !std::isfinite(distance)) return {};
   const double place =
       (grid.first_unit[axis] + static_cast<double>(grid.width[axis].units) * above) /
       static_cast<double>(grid.units_per_length);
   const double wide = distance;
-  const double apart = wide + 0x1p-22 * (std::fabs(place) + wide);  // what two sums may lose
+  const double apart = wide + 0x1p-22 * (std::fabs(place) + wide);  // what the roundings of two
+                                                                    // sums may lose
   const auto lower = static_cast<float>(place - apart);
   const auto upper = static_cast<float>(place + apart);
   Border found;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Stage 2 of half_shell: in which column does each sphere's centre lie?
 // Reads spheres, levels. Writes one id a sphere.
-// Cost: about ten operations a sphere, in vectors where all are of one level; 8 bytes an id.
-// Idea: two spheres that overlap lie in adjacent cells, so the centre's cell is all there is to
-//       know: no phantoms, an eighth to a half of the ids of home_phantom.
+// Cost: about ten operations a sphere, in vectors if all are of one level; 8 bytes an id.
+// Idea: two spheres that overlap lie in adjacent cells, so the cell of the centre is enough: no
+//       phantoms, and an eighth to a half of the ids of home_phantom.
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -30,7 +30,7 @@ using Floats = Vector<float, kAbreast>;
 using Doubles = Vector<double, kAbreast>;
 using Ids = Vector<std::uint32_t, kAbreast>;
 
-/// cell_coordinate() of eight values, by the same steps.
+/// Computes cell_coordinate() of eight values by the same steps.
 Ids cell_coordinates(const Grid& grid, int axis, const Floats& values) {
   using Integers = Vector<std::int32_t, kAbreast>;
   using Products = Vector<std::uint64_t, kAbreast>;
@@ -42,7 +42,7 @@ Ids cell_coordinates(const Grid& grid, int axis, const Floats& values) {
   return stdx::static_simd_cast<Ids>(whole * width.reciprocal >> width.reciprocal_bits);
 }
 
-/// Eight spheres at a time: compilers make no vector code of the scalar formula.
+/// Locates eight spheres at a time: compilers do not vectorise the scalar formula.
 void locate(const Level& level, std::span<const Sphere> spheres, std::uint32_t* ids) {
   const Grid grid = level.grid;
   std::size_t i = 0;
@@ -66,7 +66,7 @@ void locate(const Levels& levels, std::span<const Sphere> spheres, std::uint32_t
   }
 }
 
-/// Whether blocks that are sorted by themselves follow each other in order.
+/// Returns true if blocks that are each sorted follow one another in order.
 bool blocks_are_in_order(const std::uint32_t* ids, std::uint64_t count) {
   for (std::uint64_t begin = kSpheresPerBlock; begin < count; begin += kSpheresPerBlock) {
     if (OCTOCELL_FAULT(order_unchecked_between_blocks, false, ids[begin] < ids[begin - 1]))

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Stage 4 of half_shell: the spheres in the order of their columns, and where each row begins.
+// Stage 4 of half_shell: puts the spheres in the order of their columns, and finds the rows.
 // Reads sorted ids, spheres. Writes ordered spheres and rows.
-// Cost: one sphere gathered and 16 bytes written each, 12 where all radii are one; the only time
-//       that memory is met in disorder.
-// Idea: stage 5 then streams. A row ends where an id leaves its columns, so most spheres cost one
-//       comparison; a division finds the columns of the next row.
+// Cost: one sphere gathered and 16 bytes written each, 12 if all radii are equal. Only this gather
+//       is random access.
+// Idea: stage 5 then reads sequentially. A row ends where an id leaves its columns, so most spheres
+//       cost one comparison; a division finds the columns of the next row.
 #include <algorithm>
 #include <cstdint>
 
@@ -14,7 +14,7 @@
 namespace octocell::cpu::half_shell {
 namespace {
 
-constexpr std::uint64_t kPrefetchAhead = 128;  // a quarter of that leaves memory waiting
+constexpr std::uint64_t kPrefetchAhead = 128;  // with a quarter of that, the loop waits for memory
 
 template <PairTest test>
 void gather(Workspace& w, std::uint64_t begin, std::uint64_t end) {
@@ -27,19 +27,19 @@ void gather(Workspace& w, std::uint64_t begin, std::uint64_t end) {
   }
 }
 
-/// Which rows the ids of a block belong to.
+/// Finds the rows that the ids of a block belong to.
 class RowFinder {
  public:
   explicit RowFinder(const Levels& levels) : levels_(levels) {}
 
-  /// The id of column 0 of the row of that id. Ids come in order.
+  /// Returns the id of column 0 of the row that holds `id`. Call it with increasing ids.
   std::uint32_t first_id_of_row(std::uint32_t id) {
     while (level_ + 1 < levels_.count && id >= levels_.level[level_ + 1].first_id) ++level_;
     const Level& level = levels_.level[level_];
     columns_ = level.grid.stride_y;
     return id - (id - level.first_id) % columns_;
   }
-  /// Of the row asked for last.
+  /// Returns the number of columns of the row returned last.
   [[nodiscard]] std::uint32_t columns() const { return columns_; }
 
  private:
@@ -67,7 +67,7 @@ std::uint64_t list_rows(const Workspace& w, std::uint64_t begin, std::uint64_t e
   return listed;
 }
 
-/// Closes the gaps between the blocks' rows, and ends the last.
+/// Closes the gaps between the rows of the blocks, and marks the end of the last row.
 void join_rows(Workspace& w, const IndexBlocks& blocks) {
   OrderedSpheres& o = w.ordered;
   std::uint64_t count = 0;

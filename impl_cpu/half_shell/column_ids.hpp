@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sorted ids of columns, a vector of them at a time.
+// Sorted ids of columns, read a vector at a time.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@ namespace octocell::cpu::half_shell {
 inline constexpr std::uint32_t kLanes = block_size(kMostLanes, kMostLanes / 2);
 using Ids = Vector<std::uint32_t, kLanes>;
 
-/// The first place from `at` on whose id is above `id`; `ids` are sorted, and behind the last come
-/// kPassed that are above all. So many at a time: a step is as a rule shorter.
+/// Returns the first place from `at` on whose id is above `id`. `ids` must be sorted and followed
+/// by kPassed values above all ids. Compares kPassed ids at a time, because most steps are shorter.
 inline constexpr std::uint32_t kPassed = 2 * Ids::size();
 inline std::uint32_t first_above(const std::uint32_t* ids, std::uint32_t at, std::uint32_t id) {
   for (;;) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Method half_shell, where it differs: one id a sphere, spheres gathered once, rows swept.
+// The stages of method half_shell that differ: one id a sphere, spheres gathered once, rows swept.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace octocell::cpu::half_shell {
 
-/// Stage 2: the id of each sphere's column.
+/// Stage 2: writes the id of each sphere's column.
 void cell_ids(Workspace& w);
 
-/// Stage 4: how its blocks of spheres leave room for each other in the list of rows. Each may meet
-/// as many rows as it has spheres, or as there are: seldom many, and memory that is not touched
-/// need not be cleared.
+/// Divides the list of rows among the blocks of spheres in stage 4. A block may meet as many rows
+/// as it has spheres, or as there are rows. Most meet few, and memory that is never touched costs
+/// nothing.
 struct IndexBlocks {
   static constexpr std::uint64_t kSpheres = block_size(1 << 14, 32);
   IndexBlocks(std::uint64_t spheres, const Levels& levels);
@@ -23,17 +23,17 @@ struct IndexBlocks {
   std::uint64_t rows_of_each;
 };
 
-/// Stage 4: the spheres in the order of their columns, and where each row begins.
+/// Stage 4: writes the spheres in the order of their columns, and where each row begins.
 void cell_index(Workspace& w);
 
-/// Stage 5: each row against itself and its half shell; each sphere against the finer levels.
+/// Stage 5: tests each row against itself and its half shell, and each sphere against finer levels.
 void pair_tests(Workspace& w);
 
-/// The same for any ordered spheres of the plan's levels; pairs and uncertain pairs become w's.
-/// Returns the number of candidates.
+/// Does the same for any ordered spheres of the plan's levels; stores pairs and uncertain pairs in
+/// w. Returns the number of candidates.
 std::uint64_t test_among(Workspace& w, const OrderedSpheres& spheres);
 
-/// Each of `spheres` against each of `others`, which must be few to be quick.
+/// Tests each of `spheres` against each of `others`; it is fast only if `others` are few.
 std::uint64_t test_between(Workspace& w, const OrderedSpheres& spheres,
                            const OrderedSpheres& others);
 

@@ -14,7 +14,7 @@ namespace octocell::cpu::half_shell {
 
 static_assert(OrderedSpheres::kMargin >= kMostLanes && OrderedSpheres::kMargin >= kPassed);
 
-/// Which sphere is k: k, or what a list says.
+/// Returns the index of the k-th sphere: k itself, or the k-th entry of a list.
 struct InOrder {
   std::uint32_t operator()(std::uint64_t k) const { return static_cast<std::uint32_t>(k); }
 };
@@ -23,15 +23,15 @@ struct Listed {
   std::uint32_t operator()(std::uint64_t k) const { return spheres[k]; }
 };
 
-/// Spheres side by side and one that may overlap some of them, noted down as they are found and
-/// decided many at a time: a hit comes every few rounds, when no predictor expects it, so the loop
-/// that looks for hits has no branch on them.
+/// Collects hits, each a group of lanes and one sphere that may overlap some of them, and decides
+/// many at a time. A hit comes every few rounds, and no branch predictor can foresee it, so the
+/// loop that searches for hits does not branch on them.
 template <PairTest test, typename InLanes = InOrder>
 class Hits {
  public:
   using Neighbours = Lanes<test, kLanes>;
 
-  /// Those in the lanes, and those that come one by one, may be of two structures.
+  /// The spheres in lanes and those tested one by one may belong to two structures.
   Hits(Workspace& w, const OrderedSpheres& in_lanes, const OrderedSpheres& one_by_one,
        InLanes which_in_lanes = {})
       : in_lanes_(in_lanes), which_in_lanes_(which_in_lanes), one_by_one_(one_by_one), sink_(w) {}
@@ -39,7 +39,8 @@ class Hits {
   Hits& operator=(const Hits&) = delete;
   ~Hits() { decide(); }
 
-  /// The spheres of the run against those in the first `size` lanes, which begin at `begin`.
+  /// Tests the spheres of the run against the first `size` lanes, which hold the spheres from
+  /// `begin` on.
   template <typename Ones = InOrder>
   void find(std::uint32_t begin, std::uint32_t size, const Neighbours& lanes, Run run,
             Ones which = {}) {
@@ -47,8 +48,8 @@ class Hits {
     look_through(begin, lanes, run, which, [taken](std::uint64_t) { return taken; });
   }
 
-  /// The spheres of the run, which follow those of the lanes or are among them, against the lanes
-  /// before them.
+  /// Tests each sphere of the run against the lanes before it. The run follows the spheres of the
+  /// lanes or overlaps them.
   void find_behind(std::uint32_t begin, std::uint32_t size, const Neighbours& lanes, Run run) {
     const LaneBits taken = first_bits(size);
     look_through(begin, lanes, run, InOrder{}, [begin, taken](std::uint64_t j) {
@@ -94,7 +95,7 @@ class Hits {
     }
   }
 
-  /// The inner loop of everything. A function of its own, so that what it needs stays in registers.
+  /// The innermost loop of stage 5. It is a function of its own so that its data stay in registers.
   template <typename Ones, typename Taken>
   [[gnu::noinline]] std::uint32_t note(const Neighbours lanes, const FieldsOf<test> ones,
                                        std::uint64_t begin, Run run, Ones which, Taken taken,
@@ -116,7 +117,7 @@ class Hits {
   const OrderedSpheres& one_by_one_;
   PairSink sink_;
   std::uint32_t count_ = 0;
-  std::uint64_t spheres_[kRoom];  // the first of the lanes, and the sphere
+  std::uint64_t spheres_[kRoom];  // the first sphere of the lanes, and the one tested against them
   LaneBits lanes_[kRoom];
 };
 

@@ -13,8 +13,8 @@
 
 namespace octocell::cpu::half_shell {
 
-/// One thread's work on one level: single spheres of other levels, the coarser ones as a rule,
-/// against what their boxes hold of it. They may be of another structure.
+/// One thread's work on one level: tests single spheres of other levels, mostly coarser ones,
+/// against the spheres of this level in their boxes. The two may belong to different structures.
 template <PairTest test>
 class LevelBoxes {
  public:
@@ -30,7 +30,7 @@ class LevelBoxes {
 
   [[nodiscard]] std::uint64_t candidates() const { return candidates_; }
 
-  /// One of the others, which is of another level, against what its box holds of this one.
+  /// Tests one sphere of another level against the spheres of this level in its box.
   void test_box(std::uint32_t sphere) {
     const Sphere s = others_.at<test>(sphere);
     const float extent = std::nextafter(s.r + level_.r_max, HUGE_VALF);
@@ -47,10 +47,10 @@ class LevelBoxes {
  private:
   using Neighbours = Lanes<test, kLanes>;
 
-  /// A vector of them from there on, of this row or not: who asks knows how many are.
+  /// Loads a vector of spheres from `begin` on; the caller masks those that are not of its run.
   Neighbours lanes_at(std::uint32_t begin) const { return Neighbours(o_.fields<test>(), begin); }
 
-  /// One sphere, which is not of the run, against the run.
+  /// Tests one sphere, which is not in the run, against the run.
   void test_one(std::uint32_t sphere, Run run) {
     if (candidates_ > limit_) return;
     candidates_ += run.end - run.begin;
@@ -60,7 +60,7 @@ class LevelBoxes {
     }
   }
 
-  /// The spheres of a row in columns first..last of the unwrapped axis.
+  /// Returns the spheres of a row in columns first..last of the unwrapped axis.
   Run columns_in(const Row& row, std::uint32_t first, std::uint32_t last) const {
     const Run all = {row.begin, (&row + 1)->begin};
     const std::uint32_t period = grid_.period(0);
@@ -69,8 +69,8 @@ class LevelBoxes {
     return with_ids(ids_, all, row_id + first % period, row_id + last % period);
   }
 
-  /// Calls test_rows(first id, last id) for the rows of each z that the box meets. It returns the
-  /// row behind them, so that layers without a row are skipped, not visited.
+  /// Calls test_rows(first id, last id) for the rows of each z that the box meets. test_rows
+  /// returns the row behind them, so that empty layers are skipped, not visited.
   template <typename TestRows>
   void for_each_z(const CellRange& box, const TestRows& test_rows) {
     const auto [y_parts, y_count] = periods(1, box.lowest.y, box.highest.y);
@@ -95,7 +95,7 @@ class LevelBoxes {
     }
   }
 
-  /// Cells low..high of an axis that may wrap, as at most two runs of cells that have ids.
+  /// Returns cells low..high of an axis, which may wrap, as at most two runs of cells with ids.
   std::pair<std::array<Run, 2>, int> periods(int axis, std::uint32_t low,
                                              std::uint32_t high) const {
     const std::uint32_t period = grid_.period(axis);
@@ -107,7 +107,7 @@ class LevelBoxes {
   }
 
   const OrderedSpheres& o_;
-  const OrderedSpheres& others_;  // as a rule the same
+  const OrderedSpheres& others_;  // usually the same
   const std::uint32_t* const ids_;
   const Level& level_;
   const Grid& grid_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The spheres in the order of their columns, field by field, and the rows that they form.
+// The spheres in the order of their columns, one array per field, and the rows that they form.
 #pragma once
 
 #include <algorithm>
@@ -12,24 +12,26 @@
 
 namespace octocell::cpu {
 
-/// The columns of one y and one z of a level that hold spheres.
+/// The spheres of a level with the same y and z cell: a row of columns along x.
 struct Row {
   std::uint32_t first_id;  // of its column 0
-  std::uint32_t begin;     // its spheres end where the next row's begin
+  std::uint32_t begin;     // index of its first sphere; its spheres end where those of the next row
+                           // begin
 };
 
 struct OrderedSpheres {
   static constexpr std::uint64_t kMargin =
       block_size(32, 16);  // vectors may reach past the last sphere
 
-  const std::uint32_t* column_ids = nullptr;  // [spheres + kMargin], sorted; then the greatest
+  const std::uint32_t* column_ids = nullptr;  // [spheres + kMargin], sorted; the margin holds the
+                                              // largest number
   const std::uint32_t* sphere = nullptr;      // [spheres]: their ids
   Buffer<float> x, y, z;                      // [spheres + kMargin]
-  Buffer<float> r;                            // the same: stored radii; [1] where all are one
+  Buffer<float> r;                            // the same: stored radii; only [1] if all are equal
   Buffer<std::uint16_t> packed[4];            // the same in 16 bits; packed tests only
-  Buffer<Row> rows;                           // one behind the last ends it
+  Buffer<Row> rows;                           // an extra row behind the last marks its end
   std::uint64_t row_count = 0;
-  std::uint32_t level_rows[kMaxLevels + 1] = {};  // level l has rows [l] to [l + 1]
+  std::uint32_t level_rows[kMaxLevels + 1] = {};  // rows [l] to [l + 1] belong to level l
 
   void allocate(std::uint64_t count, PairTest test, std::uint64_t most_rows) {
     for (Buffer<float>* field : {&x, &y, &z}) field->allocate(count + kMargin);
@@ -50,13 +52,13 @@ struct OrderedSpheres {
     packed[2][k] = small.z;
     packed[3][k] = small.r;
   }
-  /// What is read behind the last sphere must be defined; its value is not used.
+  /// Defines the values that are read behind the last sphere but not used.
   void pad(std::uint64_t count) {
     for (Buffer<float>* field : {&x, &y, &z, &r}) pad(*field, count);
     for (auto& field : packed) pad(field, count);
   }
 
-  /// As the test reads them.
+  /// Returns the fields that the test reads.
   template <PairTest test>
   [[nodiscard]] FieldsOf<test> fields() const {
     if constexpr (is_packed(test)) {

@@ -14,11 +14,11 @@
 
 namespace octocell::cpu::half_shell {
 
-/// One thread's work on one level: a few spheres, row by row, against the many of the level.
+/// One thread's work on one level: tests a few spheres, row by row, against the many of the level.
 ///
-/// Few spheres would leave most lanes empty, so the many lie in the lanes, those of a row that are
-/// near in x at a time; and each of the few visits only rows that its box meets, of the nine that
-/// are adjacent.
+/// Few spheres would leave most lanes empty. So the many are in the lanes, and of a row only those
+/// that are near in x. Each of the few visits only those of the nine adjacent rows that its box
+/// meets.
 template <PairTest test>
 class OtherRows {
  public:
@@ -37,7 +37,7 @@ class OtherRows {
 
   [[nodiscard]] std::uint64_t candidates() const { return candidates_; }
 
-  /// Those [begin, end) of the few.
+  /// Tests spheres [begin, end) of the few.
   void sweep(std::uint32_t begin, std::uint32_t end) {
     RowCursor cursors[] = {rows_, rows_, rows_};
     for (const Row* row = rows_of_few_.row_of(begin); row != rows_of_few_.end() && row->begin < end;
@@ -51,11 +51,11 @@ class OtherRows {
   }
 
  private:
-  /// Of the many, the rows y - 1 to y + 1 of the layers z - 1 to z + 1.
+  /// The rows of the many from y - 1 to y + 1 in the layers z - 1 to z + 1.
   struct Adjacent {
     std::uint32_t first_id[9];
-    std::uint32_t begin[9];   // moves on along the row
-    std::uint32_t exist = 0;  // a bit each
+    std::uint32_t begin[9];   // moves forward along the row
+    std::uint32_t exist = 0;  // one bit each
   };
 
   Adjacent adjacent_to(const Row& row, RowCursor (&cursors)[3]) const {
@@ -72,8 +72,8 @@ class OtherRows {
     return found;
   }
 
-  /// As rows y - 1 to y + 1: rows that follow each other, except for one that may lie around a
-  /// border.
+  /// Lists rows y - 1 to y + 1 of a layer. They follow one another, except for one that may lie
+  /// beyond a wrapped border.
   void list_layer(std::uint32_t y, std::uint32_t layer_id, RowCursor& cursor, int first,
                   Adjacent& found) const {
     const std::uint32_t last = grid_.period(1) - 1;
@@ -96,11 +96,11 @@ class OtherRows {
     list(cursor.not_before(around), around, first + (y == 0 ? 0 : 2));
   }
 
-  /// The columns around one of the few, and which of the adjacent rows its box meets.
+  /// The columns around one of the few, and the adjacent rows that its box meets.
   struct Box {
-    std::uint32_t first_column;  // no less than that of the sphere before it
+    std::uint32_t first_column;  // not below that of the sphere before
     std::uint32_t last_column;
-    std::uint32_t rows;  // a bit each
+    std::uint32_t rows;  // one bit each
   };
 
   Box box_of(const Sphere& s, std::uint32_t column) {
@@ -141,7 +141,7 @@ class OtherRows {
     });
   }
 
-  /// From `begin` on, as far as that id.
+  /// Tests the sphere against the row from `begin` on, up to id `last_id`.
   void visit_row(std::uint32_t sphere, std::uint32_t begin, std::uint32_t last_id) {
     for (std::uint32_t j = begin;; j += kLanes) {
       const Ids ids(many_.column_ids + j, stdx::element_aligned);
@@ -156,7 +156,7 @@ class OtherRows {
   static_assert(Ids::size() == kLanes);
 
   static constexpr std::uint32_t kAllRows = (1U << 9) - 1;
-  static constexpr double kNarrow = 0.4;  // wider, and a box meets nearly all of the nine
+  static constexpr double kNarrow = 0.4;  // above it, a box meets nearly all nine rows
 
   const OrderedSpheres& many_;
   const OrderedSpheres& few_;
@@ -168,7 +168,7 @@ class OtherRows {
   const std::uint64_t limit_;
   Hits<test> hits_;
   std::uint64_t candidates_ = 0;
-  float radius_ = -1.0F;  // of the sphere before
+  float radius_ = -1.0F;  // of the last sphere
   float extent_ = 0.0F;
 };
 

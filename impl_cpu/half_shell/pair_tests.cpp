@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Stage 5 of half_shell: which spheres of adjacent cells overlap?
-// Reads ordered spheres, rows. Writes sure pairs, and uncertain pairs for stage 6.
+// Reads ordered spheres, rows. Writes certain pairs, and uncertain pairs for stage 6.
 // Cost: about one vector operation for each sphere of a row, and one more for each that is near its
-//       border with one of four others: with one in a flat scene, with none on a line.
-// Idea: rows are some diameters wide, so few spheres are near a border; only these are listed and
-//       tested across it. Spheres that follow each other lie in the lanes; those that may be near
-//       one of them come one after the other, and no branch depends on where they lie.
+//       border with one of four other rows (one in a flat scene, none on a line).
+// Idea: rows are several diameters wide, so few spheres are near a border; only these are listed
+//       and tested across it. Consecutive spheres are in the lanes. Spheres that may be near one of
+//       them are tested one after another, and no branch depends on where they lie.
 #include <atomic>
 #include <cstdint>
 
@@ -21,8 +21,8 @@ namespace {
 constexpr std::uint64_t kOthersPerBlock = block_size(4096, 16);
 constexpr std::uint64_t kBoxesPerBlock = block_size(16, 4);
 
-/// Calls work(begin, end) for blocks of the spheres; it returns the candidates that it met. No more
-/// blocks once there are too many.
+/// Calls work(begin, end) for blocks of the spheres; it returns the number of its candidates.
+/// Starts no more blocks once there are too many candidates.
 template <typename Work>
 void for_spheres(Workspace& w, Run spheres, std::uint64_t block,
                  std::atomic<std::uint64_t>& candidates, const Work& work) {
@@ -39,7 +39,7 @@ Run spheres_of(const OrderedSpheres& o, int level) {
   return {o.rows[o.level_rows[level]].begin, o.rows[o.level_rows[level + 1]].begin};
 }
 
-/// Those of `others` that are of one level against the spheres of another.
+/// Tests those of `others` that are of one level against the spheres of another level.
 template <PairTest test>
 void test_boxes(Workspace& w, const OrderedSpheres& spheres, int level,
                 const OrderedSpheres& others, int level_of_others,

@@ -16,7 +16,7 @@ struct Run {
   [[nodiscard]] bool empty() const { return begin >= end; }
 };
 
-/// Of a run of spheres, those whose ids, which are sorted, are first..last.
+/// Returns the spheres of a run whose ids are first..last. The ids are sorted.
 inline Run with_ids(const std::uint32_t* ids, Run among, std::uint64_t first, std::uint64_t last) {
   const auto place = [&](std::uint64_t id) {
     return static_cast<std::uint32_t>(std::lower_bound(ids + among.begin, ids + among.end, id) -
@@ -25,15 +25,15 @@ inline Run with_ids(const std::uint32_t* ids, Run among, std::uint64_t first, st
   return {place(first), place(last + 1)};
 }
 
-/// Finds the rows of a level by id, quickly where the next is near the last: doubling steps from
-/// there, then halving ones (Bentley and Yao 1976, an almost optimal algorithm for unbounded
-/// searching). Rows are asked for nearly in order, so no table of all rows is needed, however many
-/// of them are empty.
+/// Finds the rows of a level by id. It is fast if the next row is near the last one: it takes
+/// doubling steps from there, then halving ones (Bentley and Yao 1976, an almost optimal algorithm
+/// for unbounded searching). Rows are requested nearly in order, so no table of all rows is needed,
+/// however many of them are empty.
 class RowCursor {
  public:
   RowCursor(const Row* begin, const Row* end) : begin_(begin), end_(end), at_(begin) {}
 
-  /// The first row whose id is at least that; end() if there is none.
+  /// Returns the first row whose id is at least `first_id`; end() if there is none.
   const Row* not_before(std::uint64_t first_id) {
     const Row* low = at_;
     const Row* high = at_;
@@ -55,14 +55,14 @@ class RowCursor {
     return at_;
   }
 
-  /// The spheres of the row with that id; none where there is no such row.
+  /// Returns the spheres of the row with that id; an empty run if there is no such row.
   Run run_at(std::uint64_t first_id) {
     const Row* const row = not_before(first_id);
     if (row == end_ || row->first_id != first_id) return {0, 0};
     return {row->begin, (row + 1)->begin};
   }
 
-  /// The row that holds that sphere of the level.
+  /// Returns the row that holds that sphere of the level.
   [[nodiscard]] const Row* row_of(std::uint32_t sphere) const {
     return std::ranges::upper_bound(begin_, end_, sphere, {}, &Row::begin) - 1;
   }

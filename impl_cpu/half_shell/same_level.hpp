@@ -17,15 +17,15 @@
 
 namespace octocell::cpu::half_shell {
 
-/// One thread's work on one level: its rows against themselves and those of their half shell.
+/// One thread's work on one level: tests its rows against themselves and their half shell.
 ///
-/// Spheres that follow each other in a row lie in the lanes; those that may be near one of them
-/// come one after the other. Of two different rows only spheres near their common border take
-/// part, which are listed first: rows are some diameters wide, so most spheres stay out.
+/// Consecutive spheres of a row are in the lanes; spheres that may be near one of them are tested
+/// one after another. For two different rows, only spheres near their common border are listed and
+/// tested. Rows are several diameters wide, so this leaves out most spheres.
 template <PairTest test>
 class SameLevel {
  public:
-  /// sweep() takes at most so many.
+  /// The most spheres that sweep() takes.
   static constexpr std::uint32_t kMostSwept = block_size(4096, 32);
 
   SameLevel(Workspace& w, const OrderedSpheres& spheres, int level)
@@ -41,7 +41,7 @@ class SameLevel {
 
   [[nodiscard]] std::uint64_t candidates() const { return candidates_; }
 
-  /// Spheres [begin, end) of the level against those of their row and of its half shell.
+  /// Tests spheres [begin, end) of the level against those of their row and of its half shell.
   void sweep(std::uint32_t begin, std::uint32_t end) {
     std::array<RowCursor, std::size(kHalfShell)> cursors = {rows_, rows_, rows_, rows_};
     for (const Row* row = rows_.row_of(begin); row != rows_.end() && row->begin < end; ++row) {
@@ -60,7 +60,7 @@ class SameLevel {
  private:
   using Neighbours = Lanes<test, kLanes>;
 
-  /// One step along y, z or both, from a row to one of its half shell.
+  /// One step along y, z or both, from a row to a row of its half shell.
   struct Step {
     int y;
     int z;
@@ -86,7 +86,8 @@ class SameLevel {
     }
     return at;
   }
-  /// Before wrapping. None: the row stands for several cells, and has spheres of some of them.
+  /// Returns the cell before wrapping; none if the row's spheres lie in several cells with the same
+  /// id.
   std::optional<std::uint32_t> cell_of_part(int axis, std::uint32_t wrapped, Run part) const {
     if (!grid_.wraps(axis)) return wrapped;
     const float* const values = axis == 1 ? o_.y.data() : o_.z.data();
@@ -109,7 +110,7 @@ class SameLevel {
     return OtherRow{id, spheres};
   }
 
-  /// Of a row, and of the one a step further: where partners lie.
+  /// Where partners lie: in a row, and in the row one step further.
   struct Strips {
     Strip here;
     Strip there;
@@ -138,7 +139,7 @@ class SameLevel {
     std::uint32_t last_column;
   };
 
-  /// Where x wraps, partners of the first columns lie in the last, too.
+  /// If x wraps, partners of the first columns lie in the last ones, too.
   [[nodiscard]] bool wraps_down(const Group& g) const {
     return OCTOCELL_FAULT(shell_seam_not_crossed, false,
                           grid_.wraps(0) && g.first_column < level_.column_reach);
@@ -147,7 +148,7 @@ class SameLevel {
     return grid_.wraps(0) && g.last_column + level_.column_reach >= grid_.period(0);
   }
   [[nodiscard]] bool is_at_seam(const Group& g) const { return wraps_down(g) || wraps_up(g); }
-  /// The first and the last column that spheres of the group have partners in, except for wrapping.
+  /// Return the first and the last column that may hold partners of the group, without wrapping.
   [[nodiscard]] std::uint32_t first_near(const Group& g) const {
     return g.first_column - std::min(g.first_column, level_.column_reach);
   }
@@ -155,7 +156,7 @@ class SameLevel {
     return std::min(g.last_column + level_.column_reach, grid_.period(0) - 1);
   }
 
-  /// A row against itself: each sphere against those behind it.
+  /// Tests a row against itself: each sphere against those behind it.
   void sweep_row(const Row& row, Run part, Run all) {
     std::uint32_t near_end = part.begin;
     for (std::uint32_t i = part.begin; i < part.end && candidates_ <= limit_; i += kLanes) {
@@ -168,7 +169,7 @@ class SameLevel {
     }
   }
 
-  /// A part of a row against another row.
+  /// Tests a part of a row against another row.
   void sweep_rows(const Row& row, Run part, const OtherRow& other, const Strips& strips) {
     const Run lanes = list_lanes(strips.here, part);
     if (lanes.empty()) return;
@@ -181,13 +182,13 @@ class SameLevel {
     }
   }
 
-  /// Spheres of a list, from `begin` on.
+  /// Returns the group of spheres from `begin` on in the list in_lanes_.
   [[nodiscard]] Group group_of(const Row& row, std::uint32_t begin, std::uint32_t size) const {
     return {begin, size, ids_[in_lanes_[begin]] - row.first_id,
             ids_[in_lanes_[begin + size - 1]] - row.first_id};
   }
 
-  /// Of another row, the columns that are near.
+  /// Returns the spheres of another row in columns near the group.
   Run near_part(const Group& g, const OtherRow& other) const {
     const Run all = other.spheres;
     if (is_at_seam(g)) return all;
@@ -216,7 +217,7 @@ class SameLevel {
     hits_across_.find(g.begin, g.size, lanes_of(g), ones, Listed{ones_});
   }
 
-  /// They lie apart, so they are brought together. Lanes beyond them hold the last of them.
+  /// Gathers the group's spheres, which lie apart. Unused lanes hold the last sphere again.
   Neighbours lanes_of(const Group& g) const {
     using Number = NumberOf<test>;
     const FieldsOf<test> all = o_.fields<test>();
@@ -231,7 +232,7 @@ class SameLevel {
     return Neighbours({x, y, z, r}, 0);
   }
 
-  /// Of the spheres in lanes from k on, which lie in the strip.
+  /// Returns which of the spheres from k on lie in the strip.
   [[nodiscard]] LaneBits in_strip(const Strip& strip, std::uint64_t k) const {
     using Floats = Vector<float, kLanes>;
     const Floats y(&o_.y[k], stdx::element_aligned);
@@ -257,7 +258,7 @@ class SameLevel {
   void list_ones(const Strip& strip, Run run) {
     ones_size_ = 0;
     for (std::uint32_t k = run.begin; k < run.end; k += kLanes) {
-      __builtin_prefetch(&o_.x[k]);  // is read next, here and there
+      __builtin_prefetch(&o_.x[k]);  // will be read next, at scattered places
       const LaneBits found = in_strip(strip, k) & first_bits(run.end - k);
       list_places(found, k, ones_ + ones_size_);
       list_values(found, ids_ + k, ones_ids_ + ones_size_);
@@ -267,7 +268,7 @@ class SameLevel {
   }
 
   static constexpr std::uint32_t kMostListed = 2 * kMostSwept;
-  static_assert(kPassed >= kMostLanes);  // so many numbers may be written behind a list
+  static_assert(kPassed >= kMostLanes);  // that many numbers may be written behind a list
 
   const OrderedSpheres& o_;
   const std::uint32_t* const ids_;
@@ -277,11 +278,10 @@ class SameLevel {
   RowCursor rows_;
   const std::uint64_t limit_;
   std::uint64_t candidates_ = 0;
-  std::uint32_t
-      in_lanes_[kMostListed + kMostLanes];  // spheres; hits are told by places in this list
+  std::uint32_t in_lanes_[kMostListed + kMostLanes];  // spheres; hits hold indices into this list
   std::uint32_t lanes_size_ = 0;
   std::uint32_t ones_[kMostSwept + kMostLanes];   // spheres of the other row
-  std::uint32_t ones_ids_[kMostSwept + kPassed];  // their columns' ids
+  std::uint32_t ones_ids_[kMostSwept + kPassed];  // the ids of their columns
   std::uint32_t ones_size_ = 0;
   Hits<test> hits_within_;
   Hits<test, Listed> hits_across_;

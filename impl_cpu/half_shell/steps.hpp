@@ -8,7 +8,7 @@
 
 namespace octocell::cpu::half_shell {
 
-/// The cell one step along an axis; none behind the border of one that does not wrap.
+/// Returns the cell one step along an axis; none beyond the border of an axis that does not wrap.
 inline std::optional<std::uint32_t> step_along(const Grid& grid, int axis, std::uint32_t at,
                                                int step) {
   if (step == 0) return at;
