@@ -50,11 +50,12 @@ class CudaBackend final : public GridPairFinder {
     if (plan.method == Method::home_phantom) {
       w_.sorter.emplace(Variant::onesweep, plan.capacity.ids, plan.key_bits);
     }
-    if (w_.half_shell()) {  // its own kernel counts digits: there must be one
+    if (w_.half_shell()) {  // its own kernel counts digits, so there must be one
       w_.sorter.emplace(Variant::onesweep, plan.capacity.ids, std::max(plan.key_bits, 1));
     }
     w_.grown_sorter.reset();
-    if (plan.moving && plan.skin.growth > 0.0F && w_.half_shell()) {  // whatever flags will come
+    if (plan.moving && plan.skin.growth > 0.0F && w_.half_shell()) {  // flags are not considered:
+                                                                      // they may change later
       w_.grown_sorter.emplace(Variant::onesweep, plan.capacity.ids,
                               std::max(plan.skin.key_bits, 1));
     }
@@ -64,7 +65,7 @@ class CudaBackend final : public GridPairFinder {
     update(scene);
   }
 
-  /// What the last frame left serves the next only where the device has proved that it may.
+  /// Data of the last frame is reused only if the device has proved that it is still right.
   void update(SceneView scene) override {
     if (scene.spheres.size() > room_) return upload(w_.plan, scene);
     const bool sizes_as_before = scene.spheres.size() == w_.scene.spheres.size() &&
@@ -78,7 +79,7 @@ class CudaBackend final : public GridPairFinder {
     }
     w_.spheres.allocate(scene.spheres.size());
     w_.flags.allocate(scene.flags.size());
-    // Here, where they are on the host: a pass over them, and only where the plan asks for it.
+    // Checked here, where the flags are on the host: one pass, and only if the plan needs it.
     flags_broken_ = w_.plan.nothing_to_find && some_may_collide(scene.flags);
     if (scene.spheres.empty()) return;
     cuda::check(cudaMemcpyAsync(w_.spheres.data(), scene.spheres.data(), scene.spheres.size_bytes(),
@@ -96,7 +97,8 @@ class CudaBackend final : public GridPairFinder {
 
   Counts counts() override {
     State state = read_state();
-    if (coherence_.looked_at_too_many(w_, state)) {  // as they are, they may not be too many
+    if (coherence_.looked_at_too_many(w_, state)) {  // the exact number of candidates may still be
+                                                     // within the limit
       HostClock unread(Marks::off);
       find_pairs(unread);
       state = read_state();
@@ -165,7 +167,7 @@ class CudaBackend final : public GridPairFinder {
   void cell_index() override { cuda_custom::cell_index(w_); }
   void pair_tests() override { cuda_custom::pair_tests(w_); }
   void resolve() override { cuda_custom::resolve(w_); }
-  /// While the device goes on with what was queued, the host hears what it should have queued.
+  /// While the device continues with the queued work, the host reads what it should have queued.
   bool mispredicted() override {
     if (!w_.mode) return false;
     opened_.wait();
@@ -176,7 +178,7 @@ class CudaBackend final : public GridPairFinder {
   }
 
  private:
-  /// Says what is needed before anything is given up for it.
+  /// Checks that all arrays fit before it frees any of them.
   void make_room() {
     std::uint64_t more = 0;
     w_.for_each_array([&](auto& array, std::uint64_t elements) {
@@ -195,7 +197,8 @@ class CudaBackend final : public GridPairFinder {
     return *state_.data();
   }
 
-  /// Into a graph, where what the device finds now says nothing of the frames to come.
+  /// Returns true while a graph is recorded: what the device finds now says nothing about later
+  /// frames.
   [[nodiscard]] bool is_recorded() const {
     cudaStreamCaptureStatus status = cudaStreamCaptureStatusNone;
     cuda::check(cudaStreamIsCapturing(w_.stream, &status));
@@ -206,7 +209,7 @@ class CudaBackend final : public GridPairFinder {
     return w_.plan.count_only || state.pairs > w_.plan.capacity.pairs ? 0 : state.pairs;
   }
 
-  /// The device sets flags; the words, which name a sphere, are made here.
+  /// The device sets flags; the text, which names a sphere, is made here.
   [[nodiscard]] std::optional<std::string> words_for(std::uint32_t violations) const {
     if ((violations & kInvalidSphere) != 0) return describe_first_invalid(w_.scene.spheres);
     if ((violations & kOutsidePlan) != 0) {
@@ -220,11 +223,11 @@ class CudaBackend final : public GridPairFinder {
   }
 
   Workspace w_;
-  std::uint64_t room_ = 0;    // spheres that there is room for
+  std::uint64_t room_ = 0;    // spheres that the arrays have room for
   PinnedArray<State> state_;  // [1], read from the device
-  cuda::Event opened_;        // behind the first kernel of a frame
+  cuda::Event opened_;        // recorded after the first kernel of a frame
   coherence::Coherence coherence_;
-  bool flags_broken_ = false;  // the plan is not for flags like these
+  bool flags_broken_ = false;  // the plan does not hold for these flags
   CudaDeviceRuns runs_{*this, w_};
 };
 

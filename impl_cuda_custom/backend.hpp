@@ -9,11 +9,12 @@
 
 namespace octocell::cuda_custom {
 
-/// The pipeline as kernels of our own, on the first CUDA device: queued as a whole, without a wait.
-/// Throws Error where why_unavailable() says something.
+/// Makes the backend that runs the pipeline as our own kernels on the first CUDA device. All stages
+/// are queued at once, without waiting. Throws Error with the reason of why_unavailable(), if there
+/// is one.
 std::unique_ptr<PairFinder> make_backend();
 
-/// Nothing if make_backend() works here, else why not.
+/// Returns why make_backend() cannot work here; none if it can.
 std::optional<std::string> why_unavailable();
 
 }  // namespace octocell::cuda_custom

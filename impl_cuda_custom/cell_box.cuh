@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cells that a sphere's box meets, numbered, so that any thread can name any one of them.
+// Numbers the cells that a sphere's box meets, so that any thread can compute any one of them.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace octocell::cuda_custom {
 
-/// Cells are numbered along x, then y, then z. Numbers are 32-bit: a sphere with more phantoms than
-/// that has no room in any plan, and none of its cells is ever asked for.
+/// Cells are numbered along x, then y, then z, with 32 bits. A sphere with more phantoms than that
+/// fits into no plan, so none of its cells is ever computed.
 struct CellBox {
   Cell lowest;
   std::uint32_t width_x;
   std::uint32_t width_y;
   std::uint32_t home;  // the home cell's number
 
-  /// The cell of phantom number `phantom`: all cells in order, but the home.
+  /// Returns the cell of phantom number `phantom`: all cells in order, without the home.
   [[nodiscard]] __device__ Cell phantom_cell(std::uint32_t phantom) const {
     const std::uint32_t number = phantom < home ? phantom : phantom + 1;
     const std::uint32_t row = number / width_x;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the bench runs besides: without the cache's help, as a graph, with transfers.
+// Further runs for the bench: with a cold cache, as a graph, with transfers.
 #pragma once
 
 #include <algorithm>
@@ -47,13 +47,14 @@ class CudaDeviceRuns final : public DeviceRuns {
     Silence silence;
     finder_.find_pairs(silence);
     copy(pinned_state_.data(), w_.state.data(), sizeof(State));
-    cuda::check(cudaStreamSynchronize(w_.stream));  // how many pairs are there to fetch?
+    cuda::check(cudaStreamSynchronize(w_.stream));  // the number of pairs must be known to fetch
+                                                    // them
     const std::uint64_t pairs = std::min(pinned_state_.data()->pairs, w_.plan.capacity.pairs);
     if (!w_.plan.count_only) copy(pinned_pairs_.data(), w_.pairs.data(), pairs * sizeof(Pair));
     return clock.stop().total_ms;
   }
 
-  /// To be called before anything moves that a recorded graph points to.
+  /// Must be called before any array moves that a recorded graph points to.
   void forget_graph() {
     if (graph_ != nullptr) cudaGraphExecDestroy(graph_);
     graph_ = nullptr;
@@ -63,7 +64,7 @@ class CudaDeviceRuns final : public DeviceRuns {
   static constexpr std::uint64_t kFlushedBytes = std::uint64_t{256}
                                                  << 20;  // five caches of an H100
 
-  /// While a graph is recorded, events would become part of it.
+  /// A clock without events: while a graph is recorded, they would become part of it.
   struct Silence final : StageClock {
     void start() override {}
     void mark(Stage, Stage) override {}

@@ -5,7 +5,7 @@
 
 namespace octocell::cuda_custom {
 
-/// Out of line: it is long, rarely called, and would cost its callers registers (and nvcc,
+/// Not inlined: it is long and rarely called, and would cost its callers registers (and nvcc
 /// minutes).
 __device__ __noinline__ static bool overlap(const Sphere* spheres, Pair pair) {
   return overlap_exact(load_sphere(spheres, pair.i), load_sphere(spheres, pair.j));

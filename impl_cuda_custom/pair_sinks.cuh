@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where stage 5 leaves what it finds: in the two lists, or only in the sums.
+// Where stage 5 puts the pairs it finds: into the two lists, or only into the sums.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,12 @@ struct SinkArguments {
   PairList pairs;
   PairList uncertain_pairs;
   const Sphere* spheres;
-  const Flags* flags;  // none: every pair may collide
+  const Flags* flags;  // null: every pair may collide
   State* state;
-  PairList neighbor_list = {};   // of a search of grown spheres, which tests them as they are
-  Filter filter = Filter::safe;  // in this filter
+  PairList neighbor_list = {};   // for a search of enlarged spheres, which tests them as they are
+  Filter filter = Filter::safe;  // the filter for those tests
 
-  /// Asked for pairs that were found only.
+  /// Returns true if the flags forbid the pair. Called only for pairs that overlap or may overlap.
   [[nodiscard]] __device__ bool keeps_apart(Pair pair) const {
     return flags != nullptr && !may_collide(flags[pair.i], flags[pair.j]);
   }
@@ -37,10 +37,10 @@ inline SinkArguments sink_arguments_of(Workspace& w) {
           .state = state};
 }
 
-/// Pairs are kept; uncertain pairs, too, for stage 6.
+/// Stores pairs, and uncertain pairs for stage 6.
 class Keep {
  public:
-  /// Blocks that a multiprocessor should have room for: bounds the registers of a thread.
+  /// How many blocks should fit on a multiprocessor: this limits the registers of a thread.
   static constexpr int kBlocksAtOnce = 6;
   struct Shared {
     PairWriter::Shared pairs;
@@ -51,13 +51,13 @@ class Keep {
         pairs_(to.pairs, shared.pairs),
         uncertain_pairs_(to.uncertain_pairs, shared.uncertain_pairs) {}
 
-  /// All lanes of the warp call it.
+  /// Stores the pair unless it is apart. All lanes of the warp must call it.
   __device__ void take(Verdict verdict, Pair pair) {
     if (verdict != Verdict::apart && to_.keeps_apart(pair)) verdict = Verdict::apart;
     pairs_.push(verdict == Verdict::overlap, pair);
     uncertain_pairs_.push(verdict == Verdict::uncertain, pair);
   }
-  /// All threads of the block call it, once, at the end.
+  /// Writes what is left. All threads of the block must call it once, at the end.
   __device__ void close() {
     pairs_.close();
     uncertain_pairs_.close();
@@ -69,7 +69,7 @@ class Keep {
   PairWriter uncertain_pairs_;
 };
 
-/// A count_only plan has no room for uncertain pairs: they are decided where they are found.
+/// For a count_only plan, which cannot store uncertain pairs: decides them where they are found.
 class Count {
  public:
   static constexpr int kBlocksAtOnce = 3;  // the exact test needs many registers

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How kernels test two spheres: half_shell's have the test compiled in, for speed; the others ask
-// for it as they run.
+// How kernels test two spheres. The kernels of half_shell have the test compiled in, for speed; the
+// others select it at run time.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace octocell::cuda_custom {
 
-/// filter_may_overlap() with fused operations, which its proof allows and this machine has.
+/// Computes filter_may_overlap() with fused operations; its proof allows that.
 __device__ inline float distance2(const Sphere& a, const Sphere& b) {
   const float dx = a.x - b.x;
   const float dy = a.y - b.y;
@@ -30,20 +30,20 @@ __device__ inline bool within_f64(const Sphere& a, const Sphere& b) {
   return __fma_rn(dz, dz, __fma_rn(dy, dy, dx * dx)) <= radius_sum * radius_sum;
 }
 
-/// Spheres as a test reads them.
+/// The type of sphere that a test reads.
 template <PairTest test>
 using Read = std::conditional_t<is_packed(test), PackedSphere, Sphere>;
 
 __device__ inline Sphere load(const Sphere* spheres, std::uint64_t i) {
   return load_sphere(spheres, i);
 }
-/// Eight bytes at once.
+/// Loads eight bytes at once.
 __device__ inline PackedSphere load(const PackedSphere* spheres, std::uint64_t i) {
   const ushort4 s = __ldg(reinterpret_cast<const ushort4*>(spheres) + i);
   return {s.x, s.y, s.z, s.w};
 }
 
-/// A test that is known as the kernel is compiled.
+/// A test that is known when the kernel is compiled.
 template <PairTest test>
 struct FixedTest {
   Packing packing;
@@ -69,7 +69,8 @@ struct FixedTest {
   }
 };
 
-/// One that is known as the kernel runs: the same for all threads. Packed tests pack as they go.
+/// A test that is known when the kernel runs, the same for all threads. Packed tests pack each
+/// time.
 struct AnyTest {
   PairTest test;
   Packing packing;
@@ -94,7 +95,7 @@ struct AnyTest {
   [[nodiscard]] __device__ bool has_filter() const { return test <= PairTest::filter_equal; }
 };
 
-/// The radius that stage 5 is given; once per sphere.
+/// Returns the radius that stage 5 uses; called once per sphere.
 __device__ inline float stored_radius(PairTest test, float r) {
   return with_pair_test(test, [r]<PairTest fixed>() { return octocell::stored_radius<fixed>(r); });
 }

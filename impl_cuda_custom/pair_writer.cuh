@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How many warps write one list: each fills a small block of its own in shared memory, then claims
-// as much of the list with one atomic addition and copies. (The threads of impl_cpu do the same.)
+// How many warps write one list. Each warp fills a small block of its own in shared memory, then
+// reserves that much of the list with one atomic addition and copies. (The threads of impl_cpu do
+// the same.)
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,7 @@
 
 namespace octocell::cuda_custom {
 
-/// A list in device memory. Counting goes on past its end; nothing is written there.
+/// A list in device memory. Past its end, it continues to count but writes nothing.
 struct PairList {
   Pair* items;
   std::uint64_t capacity;
@@ -27,7 +28,7 @@ class PairWriter {
 
   __device__ PairWriter(const PairList& list, Shared& shared) : list_(list), shared_(shared) {}
 
-  /// All lanes of the warp call it; those that `have` a pair append it.
+  /// Appends the pairs of those lanes that `have` one. All lanes of the warp must call it.
   __device__ void push(bool have, Pair pair) {
     const unsigned having = __ballot_sync(kAllLanes, have);
     if (having == 0) return;
@@ -36,7 +37,8 @@ class PairWriter {
     if (size_ > kWarpRoom - kWarpThreads) flush_warp();
   }
 
-  /// All threads of the block call it, once, at the end: one atomic for what all warps still hold.
+  /// Writes what all warps still hold, with one atomic. All threads of the block must call it once,
+  /// at the end.
   __device__ void close() {
     if (lane() == 0) shared_.sizes[warp()] = size_;
     __syncthreads();
@@ -54,7 +56,7 @@ class PairWriter {
 
  private:
   __device__ void flush_warp() {
-    __syncwarp();  // what other lanes have stored is seen
+    __syncwarp();  // makes the stores of other lanes visible
     std::uint64_t place = 0;
     if (lane() == 0) place = atomic_add(list_.size, static_cast<unsigned>(size_));
     place = __shfl_sync(kAllLanes, place, 0);

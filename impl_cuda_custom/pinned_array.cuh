@@ -7,7 +7,7 @@
 
 namespace octocell::cuda_custom {
 
-/// Host memory that the device can reach by itself.
+/// Host memory that the device can access directly.
 template <typename T>
 class PinnedArray {
  public:

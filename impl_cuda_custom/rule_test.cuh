@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which pairs that meet in a cell count there. Asked only for pairs that may overlap, so that a
-// branch on the rule, the same for all threads, costs less than a kernel for each rule.
+// Decides which pairs that meet in a cell count there. It is called only for pairs that may
+// overlap. So a branch on the rule, which is the same for all threads, costs less than a kernel for
+// each rule.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +11,7 @@
 
 namespace octocell::cuda_custom {
 
-/// An entry of a cell as stage 5 sees it; the radius is the test's.
+/// An entry of a cell as stage 5 sees it, with the radius that the test uses.
 struct Member {
   Sphere sphere;
   Object object;
@@ -23,7 +24,7 @@ struct RuleTest {
   bool every_pair;  // brute_force
   Rule rule;
   const chapter32::ControlBits* control_bits;
-  float text_side;  // of as_written's cells
+  float text_side;  // cell side of rule as_written
 
   [[nodiscard]] __device__ bool may_be_row(const Member& a) const {
     return every_pair || rule == Rule::lowest_cell || !a.is_phantom();
@@ -31,14 +32,16 @@ struct RuleTest {
 
   [[nodiscard]] __device__ bool counts_here(const Member& a, const Member& b) const {
     if (every_pair) return true;
-    // The cell must be the lowest that both meet: on each axis, the lowest of one of them.
-    // (Dittrich and Seeger, ICDE 2000, reference point method.)
+    // The cell must be the lowest that both spheres meet; on each axis, it is the lowest cell of
+    // one of them (Dittrich and Seeger, ICDE 2000, reference point method).
     if (rule == Rule::lowest_cell) return ((a.object | b.object) & kLowestMask) == kLowestMask;
-    if (rule == Rule::chapter32) {  // a row is a home, so its home's type is the cell's
+    if (rule == Rule::chapter32) {  // a row is a home, so the type of its home is the type of the
+                                    // cell
       const chapter32::ControlBits row = control_bits[a.id()];
       return chapter32::tests_pair_here(row & 7U, row, control_bits[b.id()]);
     }
-    // The course text: home with home; home with phantom if the phantom's home id is the larger.
+    // As written in the text: two homes, or a home and a phantom if the phantom's home id is
+    // larger.
     return !b.is_phantom() || text_home(b) > text_home(a);
   }
 

@@ -8,7 +8,7 @@
 
 namespace octocell::cuda_custom {
 
-/// Bits of State::violations: a sphere against what the plan takes for granted.
+/// Returns the bits of State::violations for a sphere that breaks an assumption of the plan.
 __device__ inline std::uint32_t violation_of(const Sphere& s, const PlanFacts& facts) {
   const bool finite = isfinite(s.x) && isfinite(s.y) && isfinite(s.z) && isfinite(s.r);
   if (!finite || s.r < 0.0F) return kInvalidSphere;
@@ -17,7 +17,8 @@ __device__ inline std::uint32_t violation_of(const Sphere& s, const PlanFacts& f
   inside = inside && s.y >= facts.lowest[1] && s.y <= facts.highest[1];
   inside = inside && s.z >= facts.lowest[2] && s.z <= facts.highest[2];
   inside = inside && s.r >= facts.r_min;
-  const double lattice = facts.lattice_units_per_length;  // the same for all: one branch for all
+  const double lattice = facts.lattice_units_per_length;  // the same for all threads, so all take
+                                                          // the same branch
   inside = inside && (lattice == 0.0 || lies_on_lattice(s, lattice));
   return inside ? 0 : kOutsidePlan;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Stage 1, bounds: does the scene still look as the plan takes for granted?
-// Reads spheres. Writes a violation, or nothing; opens State.
-// Cost: one pass, 16 bytes a sphere; none for half_shell, whose stage 2 checks on its way.
-// Idea: the plan's facts are limits, so every sphere is held against them by itself; nothing needs
-//       to be reduced, and in the good case nothing is written.
+// Stage 1, bounds: are the plan's assumptions about the scene still true?
+// Reads spheres. Writes a violation, or nothing; initializes State.
+// Cost: one pass, 16 bytes a sphere; none for half_shell, whose stage 2 makes the same checks.
+// Idea: the plan's facts are limits, so each sphere is compared with them by itself. Nothing has to
+//       be reduced, and if all is well nothing is written.
 #include <cstdint>
 
 #include "impl_cuda_custom/coherence/frames.cuh"
@@ -13,11 +13,11 @@
 namespace octocell::cuda_custom {
 namespace {
 
-constexpr int kSpheresPerThread = 4;  // so many loads are under way at once
+constexpr int kSpheresPerThread = 4;  // that many loads are in flight at once
 constexpr int kSpheresPerBlock = kBlockThreads * kSpheresPerThread;
 
-/// An assignment on the device: a copy from the host would need memory that outlives it. Clears
-/// the words in which half_shell's stage 2 counts, too.
+/// Initializes State on the device: a copy from the host would need memory that outlives it. Also
+/// clears the counters of half_shell's stage 2.
 __global__ void open_state_kernel(State* state, State opening, std::uint32_t* counters,
                                   std::uint64_t counter_count) {
   if (threadIdx.x == 0) *state = opening;
@@ -39,9 +39,10 @@ __global__ void __launch_bounds__(kBlockThreads)
 State opening_state(const Workspace& w) {
   State state;
   const std::uint64_t count = w.sphere_count();
-  const bool goes_on = !w.plan.nothing_to_find;  // else the counts stay as no stage left them: zero
+  const bool goes_on = !w.plan.nothing_to_find;  // if not, the counts stay zero, as if no stage had
+                                                 // run
   if (goes_on && !w.brute_force()) {
-    state.ids = count;  // the homes; phantoms follow
+    state.ids = count;  // the homes; phantoms are added later
   } else if (goes_on && count > 0) {
     state.entries = count;
     state.candidates = count * (count - 1) / 2;

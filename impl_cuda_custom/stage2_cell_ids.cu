@@ -2,9 +2,9 @@
 // Stage 2, cell_ids: in which cells does each sphere lie?
 // Reads spheres, plan. Writes one home id a sphere, then all phantom ids; control bits.
 // Cost: 16 bytes a sphere, 8 an id.
-// Idea: homes fill [0, n); a block counts its phantoms, claims room for all with one atomic, and
-//       hands the slots of that room to its threads, whoever's phantoms they are: writes lie side
-//       by side, and a sphere that meets many cells holds nobody up.
+// Idea: homes fill [0, n). A block counts its phantoms, reserves room for all with one atomic, and
+//       divides the slots of that room evenly among its threads, whichever sphere they belong to.
+//       So writes lie side by side, and a sphere that meets many cells delays no other.
 #include <cstdint>
 
 #include "core/as_written.hpp"
@@ -14,15 +14,15 @@
 namespace octocell::cuda_custom {
 namespace {
 
-/// What stage 1 may have set. The other bits change while this stage runs, and a block's threads
-/// must agree on whether to go on.
+/// The bits that stage 1 may have set. Other bits change while this stage runs, but the threads of
+/// a block must agree on whether to continue.
 constexpr std::uint32_t kFoundByBounds = kInvalidSphere | kOutsidePlan;
 
 struct Job {
   const Sphere* spheres;
   std::uint64_t sphere_count;
   Grid grid;
-  bool scaled;      // rule chapter32: its extent, and control bits
+  bool scaled;      // rule chapter32: scaled extents and control bits
   float text_side;  // rule as_written
   std::uint32_t* cell_ids;
   Object* objects;
@@ -46,10 +46,10 @@ struct Job {
   }
 };
 
-/// Room that one block has claimed behind the homes.
+/// The room that one block has reserved behind the homes.
 struct Room {
   std::uint64_t begin;   // of the block's phantoms
-  std::uint64_t before;  // phantoms of the threads below, of this block
+  std::uint64_t before;  // phantoms of this block's threads below
   std::uint64_t total;
   bool fits;
 };
@@ -62,7 +62,7 @@ __device__ Room claim_room(const Job& job, std::uint64_t phantoms) {
   return {begin, scan.before, scan.total, begin + scan.total <= job.capacity};
 }
 
-/// The last block to get here knows whether all ids are there.
+/// The last block to arrive knows whether all ids fit.
 __device__ void close_ids(const Job& job) {
   if (threadIdx.x != 0) return;
   __threadfence();
@@ -73,7 +73,8 @@ __device__ void close_ids(const Job& job) {
   if (violations == 0 && ids <= job.capacity) state->entries = ids;
 }
 
-/// Too many phantoms for one block: room is claimed here, and a kernel of its own fills it.
+/// For a sphere with too many phantoms for one block: reserves room, which wide_spheres_kernel
+/// fills.
 __device__ void put_off(const Job& job, std::uint32_t sphere, std::uint64_t phantoms) {
   const std::uint64_t place = atomic_add(&job.state->ids, phantoms);
   if (place + phantoms > job.capacity) return;
@@ -81,7 +82,8 @@ __device__ void put_off(const Job& job, std::uint32_t sphere, std::uint64_t phan
   job.wide_spheres[number] = {sphere, static_cast<std::uint32_t>(place)};
 }
 
-/// Writes the home. Returns the phantoms that are left to the block, and what it needs to know.
+/// Writes the home. Returns how many phantoms the block must write, and sets the box that they
+/// need.
 __device__ std::uint64_t put_home(const Job& job, std::uint64_t i, CellBox& box) {
   const Sphere s = load_sphere(job.spheres, i);
   const auto sphere = static_cast<std::uint32_t>(i);
@@ -99,7 +101,7 @@ __device__ std::uint64_t put_home(const Job& job, std::uint64_t i, CellBox& box)
   return 0;
 }
 
-/// The thread whose phantoms include number `slot` of the block's.
+/// Returns the thread whose phantoms include number `slot` of the block's phantoms.
 __device__ int owner_of(std::uint32_t slot, const std::uint32_t (&first_phantom)[kBlockThreads]) {
   int owner = 0;
 #pragma unroll
@@ -129,7 +131,7 @@ __global__ void __launch_bounds__(kBlockThreads) cell_ids_kernel(Job job) {
   }
 }
 
-/// Blocks (x, y): sphere x of the list, and every gridDim.y-th block of its phantoms.
+/// Block (x, y) handles sphere x of the list, and every gridDim.y-th block of its phantoms.
 __global__ void __launch_bounds__(kBlockThreads) wide_spheres_kernel(Job job) {
   const std::uint64_t count = job.state->entries != 0 ? job.state->wide_spheres : 0;
   for (std::uint64_t w = blockIdx.x; w < count; w += gridDim.x) {
@@ -145,7 +147,8 @@ __global__ void __launch_bounds__(kBlockThreads) wide_spheres_kernel(Job job) {
   }
 }
 
-/// Rule as_written: at most seven phantoms, found by trying 26 neighbours, once to count them.
+/// Rule as_written: at most seven phantoms, found by trying 26 neighbours; a first pass counts
+/// them.
 __global__ void __launch_bounds__(kBlockThreads) text_cell_ids_kernel(Job job) {
   if ((job.state->violations & kFoundByBounds) != 0) return;
   const std::uint64_t i = std::uint64_t{blockIdx.x} * kBlockThreads + threadIdx.x;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Stage 4, cell_index: where does each cell begin, and how many homes and phantoms has it?
+// Stage 4, cell_index: where does each cell begin, and how many homes and phantoms does it have?
 // Reads sorted cell ids and objects. Writes the numbers of cells and candidates, and the crowded
 //       tiles.
 // Cost: 4 bytes an id, read once, and a few more loads of the same lines for each cell.
-// Idea: the sorted ids are the index. Stage 5 streams them anyway and sees where a cell ends; what
-//       it cannot see, that a cell goes on behind the next tile, is written down. A cell's end and
-//       its first phantom are found by doubling and halving steps: no thread walks a cell.
+// Idea: the sorted ids are the index. Stage 5 reads them anyway and sees where a cell ends. It
+//       cannot see that a cell extends past the next tile, so only that is stored. The end of a
+//       cell and its first phantom are found by doubling and halving steps: no thread walks through
+//       a cell.
 #include <cstdint>
 
 #include "impl_cuda_custom/device.cuh"
@@ -17,7 +18,7 @@ namespace {
 constexpr int kIdsPerThread = 8;
 constexpr int kIdsPerBlock = kBlockThreads * kIdsPerThread;
 
-/// The first place behind `begin` that holds another id.
+/// Returns the first place behind `begin` that holds another id.
 __device__ std::uint64_t end_of_cell(const std::uint32_t* cell_ids, std::uint64_t begin,
                                      std::uint64_t entries) {
   const std::uint32_t id = cell_ids[begin];
@@ -35,7 +36,7 @@ __device__ std::uint64_t end_of_cell(const std::uint32_t* cell_ids, std::uint64_
   return outside;
 }
 
-/// Homes come first in a cell.
+/// Returns the place of the cell's first phantom, or `end`; homes come first.
 __device__ std::uint64_t first_phantom(const Object* objects, std::uint64_t begin,
                                        std::uint64_t end) {
   while (begin < end) {
@@ -49,7 +50,7 @@ __device__ std::uint64_t first_phantom(const Object* objects, std::uint64_t begi
   return begin;
 }
 
-/// Pairs that the rule looks at in a cell; zero: the cell does not count.
+/// Returns how many pairs the rule tests in a cell; if zero, the cell is not counted.
 __device__ std::uint64_t candidates_in(Rule rule, std::uint64_t homes, std::uint64_t members) {
   if (rule == Rule::lowest_cell) return members * (members - 1) / 2;
   return homes == 0 ? 0 : homes * (homes - 1) / 2 + homes * (members - homes);
@@ -66,7 +67,7 @@ struct Job {
     return i == 0 || cell_ids[i] != cell_ids[i - 1];
   }
 
-  /// Tiles with a row in [begin, rows_end) whose cell goes on behind the next tile.
+  /// Lists the tiles with a row in [begin, rows_end) whose cell extends past the next tile.
   __device__ void list_crowded_tiles(std::uint64_t begin, std::uint64_t rows_end,
                                      std::uint64_t end) const {
     const std::uint64_t first = begin / kBlockThreads;
@@ -81,7 +82,7 @@ struct Job {
     }
   }
 
-  /// Returns the cell's candidates.
+  /// Counts a cell and lists its crowded tiles. Returns its candidates.
   __device__ std::uint64_t visit_cell(std::uint64_t begin, std::uint64_t entries) const {
     const std::uint64_t end = end_of_cell(cell_ids, begin, entries);
     if (end - begin < 2) return 0;

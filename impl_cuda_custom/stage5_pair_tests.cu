@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Stage 5, pair_tests: which spheres that share a cell overlap?
-// Reads spheres, sorted cell ids and objects, crowded tiles. Writes sure pairs, and uncertain
+// Reads spheres, sorted cell ids and objects, crowded tiles. Writes certain pairs, and uncertain
 //       pairs for stage 6.
 // Cost: 8 bytes an id and a gathered sphere of 16; then about 15 operations a candidate.
-// Idea: a block takes a tile of 256 entries as rows. Each row meets the entries behind it in its
-//       cell, as far as the end of the next tile: both lie in shared memory, each sphere gathered
-//       once. What lies beyond, in crowded cells, is a second kernel's, tile by tile. Every
-//       candidate belongs to exactly one of the two, however large its cell is.
+// Idea: a block takes a tile of 256 entries as rows. Each row is tested against the entries behind
+//       it in its cell, up to the end of the next tile. Both tiles are in shared memory; each
+//       sphere is gathered once. In crowded cells, a second kernel tests what lies beyond, tile by
+//       tile. So each candidate belongs to exactly one of the two kernels, however large its cell
+//       is.
 #include <cstdint>
 
 #include "impl_cuda_custom/coherence/frames.cuh"
@@ -22,15 +23,15 @@ constexpr int kTile = kBlockThreads;
 
 struct Job {
   const Sphere* spheres;
-  const std::uint32_t* cell_ids;  // none: brute_force, all entries lie in one cell
-  const Object* objects;          // none: entry k is sphere k
+  const std::uint32_t* cell_ids;  // null: brute_force, where all entries lie in one cell
+  const Object* objects;          // null: entry k is sphere k
   const CrowdedTile* crowded_tiles;
   RuleTest rule;
   AnyTest test;
   std::uint64_t candidate_limit;
   SinkArguments sink;
 
-  /// The same for all threads: nothing that is read here changes in this stage.
+  /// Returns the same for all threads: nothing that it reads changes in this stage.
   [[nodiscard]] __device__ bool may_test() const {
     const State& state = *sink.state;
     return state.violations == 0 && state.candidates <= candidate_limit;
@@ -45,7 +46,8 @@ struct Job {
     s.r = stored_radius(test.test, s.r);
     return {s, object};
   }
-  /// brute_force has one cell, so its crowded tiles need not be listed.
+  /// Returns how many crowded tiles there are. brute_force has one cell, so they need not be
+  /// listed.
   [[nodiscard]] __device__ std::uint64_t crowded_tile_count() const {
     if (cell_ids != nullptr) return sink.state->crowded_tiles;
     return entries() > 2 * kTile ? (entries() - 2 * kTile - 1) / kTile + 1 : 0;
@@ -56,7 +58,7 @@ struct Job {
   }
 };
 
-/// Entries next to each other in shared memory.
+/// Entries side by side in shared memory.
 template <int kRoom>
 struct Members {
   float4 sphere[kRoom];
@@ -72,7 +74,8 @@ struct Members {
   }
 };
 
-/// One candidate a lane; lanes that are not `open` have none. All lanes of the warp call it.
+/// Tests one candidate per lane; lanes that are not `open` have none. All lanes of the warp must
+/// call it.
 template <typename Sink>
 __device__ void test_pair(const Job& job, Sink& sink, bool open, const Member& a, const Member& b) {
   const bool found = open && job.test.may_overlap(a.sphere, b.sphere) && job.rule.counts_here(a, b);
@@ -81,12 +84,12 @@ __device__ void test_pair(const Job& job, Sink& sink, bool open, const Member& a
   sink.take(verdict, make_pair_of(a.id(), b.id()));
 }
 
-/// A tile, and behind it those entries of the next tile that lie in the same cell as its last.
+/// A tile, followed by those entries of the next tile that are in the same cell as its last entry.
 struct NearTile {
   Members<2 * kTile> members;
   std::uint32_t cell_id[2 * kTile];
 
-  /// Returns the number of entries. Spheres that are alone in their cell are not gathered.
+  /// Returns the number of entries. Does not gather spheres that are alone in their cell.
   __device__ int load(const Job& job, std::uint64_t begin) {
     const auto t = static_cast<int>(threadIdx.x);
     const std::uint64_t entries = job.entries();
@@ -134,7 +137,8 @@ __global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce) near_colum
   sink.close();
 }
 
-/// Blocks (x, y): crowded tile x as rows, and every gridDim.y-th tile of columns behind the next.
+/// Block (x, y) takes crowded tile x as rows, and every gridDim.y-th tile of columns behind the
+/// next.
 template <typename Sink>
 __global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce) far_columns_kernel(Job job) {
   __shared__ Members<kTile> columns;
@@ -154,7 +158,7 @@ __global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce) far_column
     for (std::uint64_t begin = tile_begin + (2 + blockIdx.y) * std::uint64_t{kTile};
          begin < rows.cell_end; begin += stride) {
       const int size = static_cast<int>(min(std::uint64_t{kTile}, rows.cell_end - begin));
-      __syncthreads();  // the columns before are done with
+      __syncthreads();  // all threads have finished with the last columns
       if (t < size) columns.put(t, job.gather(begin + t));
       __syncthreads();
       for (int c = 0; c < size; ++c) test_pair(job, sink, open, row, columns.get(c));
@@ -184,7 +188,7 @@ void test_columns(Workspace& w, std::uint64_t most_entries) {
   near_columns_kernel<Sink><<<blocks_for(most_entries), kBlockThreads, 0, w.stream>>>(job);
   cuda::check_launch();
   if (most_entries <= 2 * kTile) return;
-  // Enough blocks for a device whether there are many crowded tiles or a few with many columns.
+  // Enough blocks for a device, whether there are many crowded tiles or a few with many columns.
   const dim3 tiles_by_columns(256, 16);
   far_columns_kernel<Sink><<<tiles_by_columns, kBlockThreads, 0, w.stream>>>(job);
   cuda::check_launch();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Stage 6, resolve: decide the uncertain pairs.
-// Reads uncertain pairs, spheres. Writes pairs, behind the sure ones.
-// Cost: a few uncertain pairs in a million pairs, but all pairs of a tangent lattice.
+// Reads uncertain pairs, spheres. Writes pairs, behind the certain ones.
+// Cost: a few uncertain pairs in a million pairs, but all pairs of a lattice of tangent spheres.
 // Idea: float64 with an error bound, error-free transformations, integers: the first that is
-//       certain answers. A kernel of its own keeps its registers out of stage 5.
+//       certain decides. A kernel of its own keeps its registers out of stage 5.
 #include <algorithm>
 #include <cstdint>
 
@@ -20,7 +20,7 @@ __global__ void __launch_bounds__(kBlockThreads)
                    PairList pairs, const State* state) {
   __shared__ PairWriter::Shared shared;
   const std::uint64_t count = state->uncertain_pairs;
-  if (count > capacity) return;  // some were not kept; the next, larger plan's will be
+  if (count > capacity) return;  // some were not stored; the next plan has room for all
   PairWriter writer(pairs, shared);
   const std::uint64_t stride = std::uint64_t{gridDim.x} * kBlockThreads;
   std::uint64_t begin = std::uint64_t{blockIdx.x} * kBlockThreads;
@@ -37,7 +37,7 @@ __global__ void __launch_bounds__(kBlockThreads)
 
 void resolve(Workspace& w) {
   const std::uint64_t room = w.plan.capacity.uncertain_pairs;
-  if (w.plan.count_only || room == 0) return;  // stage 5 decided what it met
+  if (w.plan.count_only || room == 0) return;  // stage 5 has already decided them
   State* const state = w.state.data();
   const auto blocks = static_cast<unsigned>(std::min<std::uint64_t>(blocks_for(room), kMostBlocks));
   resolve_kernel<<<blocks, kBlockThreads, 0, w.stream>>>(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The six stages of impl_cuda_custom, and what they hand on. Each queues kernels and returns: what
-// a stage found lies in State, on the device, where the next one looks.
+// The six stages of impl_cuda_custom, and the data that they pass on. Each stage queues kernels and
+// returns. What it finds is in State, on the device, where the next stage reads it.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -21,7 +21,7 @@
 
 namespace octocell::cuda_custom {
 
-/// Threads of a block, in every kernel here; rows and columns of a tile in stage 5.
+/// The threads of a block, in every kernel here; also the rows and columns of a tile in stage 5.
 inline constexpr int kBlockThreads = 256;
 
 /// Bits of State::violations.
@@ -29,17 +29,18 @@ inline constexpr std::uint32_t kInvalidSphere = 1;  // not finite, or a negative
 inline constexpr std::uint32_t kOutsidePlan = 2;    // beyond the plan's facts
 inline constexpr std::uint32_t kThreeCells = 4;     // rule chapter32's condition does not hold
 
-/// What was met so far. Counts go on past the end of a full buffer.
+/// What was counted so far. Counts continue past the end of a full buffer.
 struct State {
   std::uint64_t ids = 0;
-  std::uint64_t entries = 0;  // what stages 3 to 5 work on: all ids, or none if something is amiss
+  std::uint64_t entries = 0;  // what stages 3 to 5 work on: all ids, or none if an earlier stage
+                              // failed
   std::uint64_t wide_spheres = 0;
   std::uint64_t cells = 0;
   std::uint64_t candidates = 0;
   std::uint64_t crowded_tiles = 0;
   std::uint64_t uncertain_pairs = 0;
   std::uint64_t pairs = 0;
-  std::uint64_t checksum = 0;  // of the pairs, in a count_only plan
+  std::uint64_t checksum = 0;  // of the pairs; only in a count_only plan
   std::uint32_t violations = 0;
   std::uint32_t blocks_done = 0;  // of stage 2
   coherence::FrameMode mode = coherence::FrameMode::search;
@@ -47,7 +48,7 @@ struct State {
 };
 static_assert(sizeof(State) == 9 * 8 + 4 * 4);
 
-/// A sphere that meets more cells than this has its phantoms written by many blocks, not by one.
+/// If a sphere meets more cells than this, many blocks write its phantoms, not one.
 inline constexpr std::uint64_t kWidePhantoms = 2048;
 
 struct WideSphere {
@@ -55,19 +56,20 @@ struct WideSphere {
   std::uint32_t place;  // of its first phantom
 };
 
-/// Rows of one tile whose cell goes on behind the next tile. Tiles are aligned, so each entry lies
-/// in one; see stage 5.
+/// The rows of one tile whose cell extends past the next tile. Tiles are aligned, so each entry
+/// lies in exactly one; see stage 5.
 struct CrowdedTile {
   std::uint32_t row_begin;
   std::uint32_t cell_end;
 };
 
-/// Method half_shell: where the spheres of each cell begin among the sorted ones. One start for
-/// 2^shift ids, so that the list is not much longer than that of the spheres.
+/// Method half_shell: where the spheres of each cell begin among the sorted ones. One start serves
+/// 2^shift ids, so the list is not much longer than the list of spheres.
 struct StartsShape {
-  std::uint32_t ids = 0;  // of all levels
+  std::uint32_t ids = 0;  // of all levels together
   int shift = 0;
-  /// Starts: one behind the last group of ids, and one for the group that begins there.
+  /// Returns the number of starts, with one for the end of the last group of ids, and one for the
+  /// group that begins there.
   [[nodiscard]] std::uint32_t starts() const { return (ids >> shift) + 2; }
 };
 inline StartsShape starts_shape(const Levels& levels, std::uint64_t spheres) {
@@ -79,54 +81,55 @@ inline StartsShape starts_shape(const Levels& levels, std::uint64_t spheres) {
   return shape;
 }
 
-/// Its stage 5 reads so many sorted spheres behind the last, and makes nothing of them.
+/// Stage 5 of half_shell reads this many spheres behind the last one and does not use them.
 inline constexpr std::uint32_t kReadBehind = 34;
 
-/// Everything the stages share. The arrays are sized by the plan; the stages allocate nothing.
+/// All data that the stages share. The plan gives the sizes of the arrays; the stages allocate
+/// nothing.
 struct Workspace {
   Plan plan;
-  SceneView scene;  // on the host: words about a sphere are made of it
+  SceneView scene;  // on the host: messages about a sphere are made from it
   cudaStream_t stream = nullptr;
-  float growth = 0.0F;  // of each radius in this frame's search, if it has one (see coherence/)
+  float growth = 0.0F;  // of each radius in this frame's search, if it has a skin (see coherence/)
   std::optional<coherence::FrameMode>
-      mode;                               // of this frame, predicted or known by the host, or not
-  std::optional<RadixSort> sorter;        // of the methods that have a grid
-  std::optional<RadixSort> grown_sorter;  // the same for grown spheres, where there may be some
+      mode;  // of this frame, as the host predicts or knows it; none: neither
+  std::optional<RadixSort> sorter;        // for methods with a grid
+  std::optional<RadixSort> grown_sorter;  // for enlarged spheres, if the plan has a skin
 
   cuda::DeviceArray<State> state;                          // [1]
   cuda::DeviceArray<Sphere> spheres;                       // [spheres]
-  cuda::DeviceArray<Flags> flags;                          // [spheres], or of no use: see below
+  cuda::DeviceArray<Flags> flags;                          // [spheres], or unused: see below
   cuda::DeviceArray<std::uint32_t> ids[2];                 // both sides of the sort: see side()
   cuda::DeviceArray<WideSphere> wide_spheres;              // [plan.capacity.ids / kWidePhantoms]
-  cuda::DeviceArray<char> sort_scratch;                    // what the sorter asks for
+  cuda::DeviceArray<char> sort_scratch;                    // as much as the sorter needs
   cuda::DeviceArray<chapter32::ControlBits> control_bits;  // [spheres], rule chapter32 only
   cuda::DeviceArray<CrowdedTile> crowded_tiles;            // [plan.capacity.ids / kBlockThreads]
   cuda::DeviceArray<Sphere> sorted_spheres;       // [spheres + kReadBehind], half_shell only
   cuda::DeviceArray<PackedSphere> sorted_packed;  // the same, packed tests only
-  cuda::DeviceArray<std::uint32_t> cell_starts;   // of them; see StartsShape
+  cuda::DeviceArray<std::uint32_t> cell_starts;   // see StartsShape
   cuda::DeviceArray<Pair> uncertain_pairs;        // [plan.capacity.uncertain_pairs]
   cuda::DeviceArray<Pair> pairs;                  // [plan.capacity.pairs]
 
-  // Between frames, where they may be of use to each other:
-  PinnedArray<coherence::FrameMode> mode_taken;  // [1] by the last frame that was opened
+  // Kept between frames, if frames may reuse data:
+  PinnedArray<coherence::FrameMode> mode_taken;  // [1] of the last frame
   cuda::DeviceArray<coherence::Kept> kept;       // [1]
-  cuda::DeviceArray<Sphere> sample;              // [coherence::kSampled] in the last frame
-  cuda::DeviceArray<Sphere> copy;                // [spheres] of the last frame, or of none
-  cuda::DeviceArray<Sphere> searched;            // [spheres] in the last search
-  cuda::DeviceArray<Pair> neighbor_list;         // [plan.capacity.pairs] of the last search
+  cuda::DeviceArray<Sphere> sample;       // [coherence::kSampled] as they were in the last frame
+  cuda::DeviceArray<Sphere> copy;         // [spheres] of the last frame, if that was worthwhile
+  cuda::DeviceArray<Sphere> searched;     // [spheres] as they were in the last search
+  cuda::DeviceArray<Pair> neighbor_list;  // [plan.capacity.pairs] of the last search
 
   [[nodiscard]] std::uint64_t sphere_count() const { return scene.spheres.size(); }
   [[nodiscard]] bool brute_force() const { return plan.method == Method::brute_force; }
-  /// Where the flags are; none: every pair may collide.
+  /// Returns the flags; null if every pair may collide.
   [[nodiscard]] const Flags* flags_or_none() const {
     return scene.flags.empty() ? nullptr : flags.data();
   }
-  /// True where method half_shell is asked for and has something to do, and the room.
+  /// Returns true if the method is half_shell, it has something to do, and its ids fit.
   [[nodiscard]] bool half_shell() const {
     return plan.method == Method::half_shell && !plan.nothing_to_find && sphere_count() > 0 &&
            plan.levels.count > 0 && plan.capacity.ids >= sphere_count();
   }
-  /// What a frame may take over from the last. Plans that only count keep no pairs.
+  /// Returns what a frame may reuse from the last. Plans that only count keep no pairs.
   [[nodiscard]] coherence::Allowed allowed() const {
     const bool any = plan.moving && half_shell() && !plan.count_only &&
                      sphere_count() == plan.facts.sphere_count;
@@ -136,22 +139,23 @@ struct Workspace {
             .near_room = has_skin ? plan.capacity.pairs : 0};
   }
   [[nodiscard]] bool coherent() const { return allowed().any(); }
-  /// As far as the host knows, or supposes.
+  /// Returns true if this frame may be in that mode, as far as the host knows or predicts.
   [[nodiscard]] bool may_take(coherence::FrameMode c) const {
     if (c == coherence::FrameMode::neighbor_list && !allowed().neighbor_list) return false;
     return !mode || *mode == c;
   }
-  /// The cells of this frame's search, and what goes with them.
+  /// The levels, the sorter and the test of this frame's search.
   [[nodiscard]] bool grows() const { return growth > 0.0F; }
   [[nodiscard]] const Levels& levels() const { return grows() ? plan.skin.levels : plan.levels; }
   [[nodiscard]] const RadixSort& sorter_now() const { return grows() ? *grown_sorter : *sorter; }
-  /// Of a search's State, before it begins.
+  /// Returns the first value of State::out_of_order for a search.
   [[nodiscard]] std::uint32_t is_not_asked_for_order() const {
     return plan.allowed.has(Skip::sort) ? 0 : 1;
   }
   [[nodiscard]] PairTest test() const { return grows() ? PairTest::filter_safe : plan.test; }
 
-  /// Cell ids (keys) with their objects (values), [plan.capacity.ids]: on side 0 before the sort.
+  /// Returns cell ids (keys) with their objects (values), [plan.capacity.ids]. They are on side 0
+  /// before the sort.
   [[nodiscard]] KeysAndValues side(int which) const {
     return arrays_in(ids[which].data(), plan.capacity.ids);
   }
@@ -159,7 +163,7 @@ struct Workspace {
     return side(sorter ? sorter_now().result_side() : 0);
   }
 
-  /// Calls visit(array, elements) for each array, with the room that the plan asks for.
+  /// Calls visit(array, elements) for each array, with the size that the plan gives.
   template <typename Visit>
   void for_each_array(Visit visit) {
     const Capacities& room = plan.capacity;
@@ -189,7 +193,7 @@ struct Workspace {
   }
 };
 
-/// Blocks for one thread per item.
+/// Returns how many blocks are needed for one thread per item.
 inline unsigned blocks_for(std::uint64_t items, std::uint64_t items_per_block = kBlockThreads) {
   return static_cast<unsigned>((items + items_per_block - 1) / items_per_block);
 }
