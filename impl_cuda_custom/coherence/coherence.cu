@@ -8,7 +8,7 @@
 namespace octocell::cuda_custom::coherence {
 namespace {
 
-/// On an H100, a gas of a million spheres.
+/// Measured on an H100, with a gas of a million spheres.
 constexpr SkinCosts kSkinCosts = {
     .list = 1.8F, .fetch = 0.3F, .compare = 0.3F, .neighbor_list = 0.06F};
 
@@ -47,7 +47,7 @@ bool Coherence::looked_at_too_many(Workspace& w, const State& state) {
   const bool too_many =
       state.mode == FrameMode::search && state.candidates > w.plan.candidate_limit;
   if (!too_many || !w.coherent() || read(w).list_made == 0) return false;
-  skin_.made(w.plan.skin.growth, motion_);  // and has served no frame
+  skin_.made(w.plan.skin.growth, motion_);  // a list was made and served no frame
   skin_.left();
   forget(w);
   return true;
@@ -56,7 +56,7 @@ bool Coherence::looked_at_too_many(Workspace& w, const State& state) {
 void Coherence::learn(Workspace& w, const State& state) {
   if (!w.coherent()) return;
   const Kept kept = read(w);
-  if (kept.frames == frames_) return;  // asked twice
+  if (kept.frames == frames_) return;  // called twice for the same frame
   frames_ = kept.frames;
   last_ = state.mode;
   note_mode(w, state, kept);
@@ -65,7 +65,7 @@ void Coherence::learn(Workspace& w, const State& state) {
   w.growth = skin_.half_skin_for(motion_).value_or(0.0F);
 }
 
-/// `motion_` is still what the growth was chosen by.
+/// Needs `motion_` as it was when the growth was chosen.
 void Coherence::note_mode(const Workspace& w, const State& state, const Kept& kept) {
   if (state.mode == FrameMode::neighbor_list) skin_.served();
   if (state.mode != FrameMode::search) return;

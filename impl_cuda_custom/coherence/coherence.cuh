@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The host's part of frame coherence: what it forgets, and how wide a skin it asks the next search
-// for. What a frame does is decided on the device (docs/decisions/0020-frame-coherence-gpu.md).
+// The host's part of frame coherence: when to forget earlier frames, and how wide a skin the next
+// search gets. The device decides what a frame does (docs/decisions/0020-frame-coherence-gpu.md).
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace octocell::cuda_custom::coherence {
 
-/// What spares a frame of that course its search.
+/// Returns the skip that saves a frame of that mode its search.
 inline std::optional<Skip> skip_of(FrameMode mode) {
   switch (mode) {
     case FrameMode::search:
@@ -27,34 +27,35 @@ inline std::optional<Skip> skip_of(FrameMode mode) {
 
 class Coherence {
  public:
-  /// Another scene has come. The device compares spheres; flags are compared here, where they come
-  /// from. True: they have changed, or the number of spheres has. Then nothing that was known
-  /// holds, and other arrays may be needed.
+  /// Returns true if the flags, or the number of spheres, differ from the last scene. Then nothing
+  /// known is valid any more, and other arrays may be needed. The device compares spheres; flags
+  /// are compared here, where they come from.
   bool flags_differ(Workspace& w);
-  /// Nothing is known from here on: the arrays are new, or mean something else.
+  /// Forgets all earlier frames, because the arrays are new or hold other data.
   void forget(Workspace& w);
-  /// The same, and how fast spheres move is not known either.
+  /// Does the same, and forgets how fast spheres move.
   void reset(Workspace& w);
 
-  /// The course of the last frame, where it was spared its search: then this one may be, too.
+  /// Returns the mode of the last frame if it needed no search: this frame may need none, either.
   [[nodiscard]] std::optional<FrameMode> predicted() const {
     if (last_ == FrameMode::search) return std::nullopt;
     return last_;
   }
 
-  /// Grown spheres have more candidates. If those are too many, the frame is to be searched again,
-  /// as if there had been none before.
+  /// Enlarged spheres have more candidates. Returns true if those were too many; the frame must
+  /// then be searched again, as if there had been no frame before.
   bool looked_at_too_many(Workspace& w, const State& state);
 
-  /// After a frame, while its caller waits for it anyway: chooses the growth of the next search.
+  /// Chooses the growth of the next search. Called after a frame, when the caller waits for it
+  /// anyway.
   void learn(Workspace& w, const State& state);
 
  private:
   void note_mode(const Workspace& w, const State& state, const Kept& kept);
 
-  std::vector<Flags> flags_;  // of the scene before
+  std::vector<Flags> flags_;  // of the last scene
   std::uint64_t spheres_ = 0;
-  std::uint64_t frames_ = 0;  // learnt from
+  std::uint64_t frames_ = 0;  // how many frames have been learned from
   bool has_list_ = false;
   FrameMode last_ = FrameMode::search;
   FrameMotion motion_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which neighbor pairs overlap now? They were listed cell by cell, and all spheres fit into the
-// cache of a large device, so spheres are read where they are.
+// Which neighbor pairs overlap now?  They are listed cell by cell, and the cache of a large GPU
+// holds all spheres, so spheres are read without gathering them first.
 #include "impl_cuda_custom/coherence/neighbor_list.cuh"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace octocell::cuda_custom::coherence {
 namespace {
 
-constexpr int kAtOnce = 2;  // neighbor pairs of a thread under way
+constexpr int kAtOnce = 2;  // neighbor pairs that a thread has in flight
 constexpr std::uint32_t kPerBlock = kBlockThreads * kAtOnce;
 constexpr std::uint64_t kMostBlocks = 792;
 
@@ -45,7 +45,8 @@ __global__ void __launch_bounds__(kBlockThreads, 6) neighbor_list_kernel(Job job
       near[k] = {pair.x, pair.y};
     }
 #pragma unroll
-    for (int k = 0; k < kAtOnce; ++k) {  // beyond the end stands {0, 0}, and is not asked for
+    for (int k = 0; k < kAtOnce; ++k) {  // beyond the end, near[k] is {0, 0}; its verdict is not
+                                         // used
       verdicts[k] = test_in_float32(job.filter, load_sphere(job.spheres, near[k].i),
                                     load_sphere(job.spheres, near[k].j));
     }

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Neighbor pairs (Verlet 1967, Computer "experiments" on classical fluids): those that overlap if
-// every radius is larger by the growth. As long as no sphere is further than that from where it was
-// in the search, pairs that overlap are among them (docs/exactness.md, the skin).
+// Neighbor pairs (Verlet 1967, Computer "experiments" on classical fluids) are those that overlap
+// if every radius is larger by the growth. As long as no sphere is further than that from where it
+// was in the search, all pairs that overlap are among them (docs/exactness.md, the skin).
 #pragma once
 
 #include "impl_cuda_custom/pair_sinks.cuh"
 
 namespace octocell::cuda_custom::coherence {
 
-/// To be filled by a search.
+/// Returns the list that a search fills.
 inline PairList near_list(Workspace& w) {
   if (!w.allowed().neighbor_list) return {};
   return {w.neighbor_list.data(), w.allowed().near_room, &w.kept.data()->neighbor_list};
 }
 
-/// Do the spheres overlap as they are, neither grown nor with a filter's radius?
+/// Tests the spheres with their own radii, neither enlarged nor changed for a filter.
 __device__ inline Verdict test_in_float32(Filter filter, const Sphere& a, const Sphere& b) {
   return filter == Filter::fast ? filter_verdict<Filter::fast>(a, b)
                                 : filter_verdict<Filter::safe>(a, b);
 }
 
-/// Stage 5 of a search of grown spheres: all that it finds are neighbor pairs, which are listed;
-/// those that overlap as they are, are pairs (or uncertain pairs). A list that is too short holds
-/// up nothing.
+/// Stage 5 of a search of enlarged spheres. Lists all pairs that it finds as neighbor pairs. Those
+/// that overlap with their own radii are pairs (or uncertain pairs). The search continues if the
+/// list is full.
 class KeepNear {
  public:
   static constexpr int kBlocksAtOnce = 4;
@@ -37,7 +37,8 @@ class KeepNear {
         pairs_(to.pairs, shared.pairs),
         uncertain_pairs_(to.uncertain_pairs, shared.uncertain_pairs) {}
 
-  /// All lanes of the warp call it. Of grown spheres both answers mean the same.
+  /// Takes a pair. All lanes of the warp must call it. For enlarged spheres, overlap and uncertain
+  /// count alike.
   __device__ void take(Verdict grown, Pair pair) {
     const bool is_near = grown != Verdict::apart && !to_.keeps_apart(pair);
     Verdict verdict = Verdict::apart;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The first kernel of a frame: what may be taken over from the last? Every sphere is held against
-// the copy, or against where it was in the last search, as long as that may still prove something;
-// the block that ends last decides. With nothing to prove no sphere is read.
+// The first kernel of a frame: what may be reused from the last?  It compares every sphere with the
+// snapshot, or with its place in the last search, as long as that can still prove something. The
+// block that ends last decides. If there is nothing to prove, no sphere is read.
 #include <algorithm>
 #include <cstdint>
 
@@ -14,16 +14,17 @@
 namespace octocell::cuda_custom::coherence {
 namespace {
 
-constexpr int kAtOnce = 2;  // spheres of a thread under way
+constexpr int kAtOnce = 2;  // spheres that a thread has in flight
 constexpr std::uint32_t kPerBlock = kBlockThreads * kAtOnce;
-/// Fills the chip, and leaves each block a few steps: what it sees in one may save it the next.
+/// Fills the chip, but leaves each block several steps: what it finds in one may make the next
+/// unnecessary.
 constexpr std::uint32_t kMostBlocks = 396;
 constexpr int kBlocksAtOnce = 3;
 static_assert(kSampled == kBlockThreads, "a thread for each sphere of the sample");
 
 struct Job {
   const Sphere* spheres;
-  const Flags* flags;  // or none
+  const Flags* flags;  // may be null
   std::uint32_t count;
   Sphere* copy;
   const Sphere* searched;
@@ -33,14 +34,14 @@ struct Job {
   Capacities room;
   std::uint64_t candidate_limit;
   float growth;             // of this frame's search
-  State search;             // what a search opens with
-  std::uint32_t* counters;  // of its sort, to be cleared
+  State search;             // the first State of a search
+  std::uint32_t* counters;  // of the search's sort; they are cleared here
   std::uint32_t counter_count;
   State* state;
   Kept* kept;
-  FrameMode* taken;  // on the host
+  FrameMode* taken;  // in the host's memory
 
-  /// What the last frame found is all there is.
+  /// Returns true if the last frame found all pairs.
   [[nodiscard]] __device__ bool is_complete(const State& last) const {
     return last.violations == 0 && last.candidates <= candidate_limit && last.pairs <= room.pairs &&
            last.uncertain_pairs <= room.uncertain_pairs;
@@ -58,14 +59,14 @@ __device__ std::uint32_t or_over_warp(std::uint32_t bits) {
 #endif
 }
 
-/// Out of line, as overlap() is.
+/// Not inlined, like overlap().
 __device__ __noinline__ bool is_within_exactly(const Sphere& then, const Sphere& now,
                                                float growth) {
   const Step step = step_of(then, now, growth);
   return overlap_exact(step.ball, step.point);
 }
 
-/// Not where it is outside the plan's facts: then a search says so.
+/// Returns false for a sphere outside the plan's facts: then a search reports it.
 __device__ bool is_within_skin(const Job& job, const Sphere& then, const Sphere& now,
                                float growth) {
   if (violation_of(now, job.facts) != 0) return false;
@@ -74,8 +75,8 @@ __device__ bool is_within_skin(const Job& job, const Sphere& then, const Sphere&
   return is_within_exactly(then, now, growth);
 }
 
-/// One of the first block's threads, one sphere of the sample. Their number of those that stand
-/// still, and the longest way of all.
+/// Measures one sphere of the sample with each thread of the first block: how many stand still, and
+/// the longest way that one moved.
 __device__ void observe_sample(const Job& job) {
   const auto k = threadIdx.x;
   const auto chosen = static_cast<std::uint32_t>(mix_pair({0, k}) % job.count);
@@ -87,15 +88,16 @@ __device__ void observe_sample(const Job& job) {
   const float dz = now.z - before.z;
   float way = sqrtf(dx * dx + dy * dy + dz * dz);
   if (bits_of(now.r) != bits_of(before.r) || !(way <= kFloatMax)) way = INFINITY;
-  const std::uint32_t farthest = max_over_warp(bits_of(way));  // in order: none is negative
+  const std::uint32_t farthest = max_over_warp(bits_of(way));  // non-negative floats compare like
+                                                               // their bits
   if (lane() == 0) atomicMax(&job.kept->farthest_now, farthest);
   const int still = __syncthreads_count(same_bits(now, before));
   if (k == 0) job.kept->still_now = static_cast<std::uint32_t>(still);
 }
 
-/// `before`: of the copy, where that is compared with, else of the last search. A sphere that
-/// equals the copy is within all that held for the last frame: if that was not a search itself, it
-/// was held against the same search.
+/// Compares a sphere with `before`: its snapshot if `compares`, otherwise its place in the last
+/// search. If it equals the snapshot, it is within the skin, too: the last frame either was the
+/// search or was compared with the same search.
 __device__ std::uint32_t look_at(const Job& job, const Trial& trial, bool compares, float growth,
                                  std::uint32_t i, const Sphere& now, const Sphere& before) {
   if (trial.keep) store_sphere(job.copy, i, now);
@@ -106,8 +108,8 @@ __device__ std::uint32_t look_at(const Job& job, const Trial& trial, bool compar
   return within ? kDiffers : kDiffers | kLeft;
 }
 
-/// Returns what was found; the same for all lanes of a warp. A warp that has seen enough to rule
-/// out all that is tried looks no further.
+/// Returns what was found, the same for all lanes of a warp. A warp stops when it has found enough
+/// to rule out everything that is tried.
 __device__ std::uint32_t look_at_spheres(const Job& job, const Trial& trial, float growth) {
   std::uint32_t found = 0;
   for (std::uint32_t begin = blockIdx.x * kPerBlock; begin < job.count;
@@ -144,7 +146,7 @@ __device__ State opened(const Job& job, const State& last, const Kept& kept, Fra
   return state;
 }
 
-/// For the last block: no other block reads State or Kept any more.
+/// Decides the mode. For the last block: no other block reads State or Kept any more.
 __device__ void decide(const Job& job, const Trial& trial) {
   Kept kept = *job.kept;
   kept.still_now = __ldcg(&job.kept->still_now);

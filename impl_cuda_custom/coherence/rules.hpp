@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a frame leaves on the device for the next, and what the next may take over from it. Decided
-// there, by one thread, in functions that the host's tests can call.
+// What a frame leaves on the device for the next, and what the next may reuse. One thread of the
+// device decides, with functions that tests on the host can call.
 #pragma once
 
 #include <cstdint>
@@ -12,37 +12,37 @@
 
 namespace octocell::cuda_custom::coherence {
 
-/// What a frame does. Kernels of other courses leave as soon as they see it.
+/// What a frame does. Kernels that belong to another mode return at once.
 enum class FrameMode : std::uint32_t {
-  search,         // everything
-  unchanged,      // no sphere has changed: the pairs stand
-  neighbor_list,  // no sphere has left the skin: pairs are among the near ones
+  search,         // searches all pairs
+  unchanged,      // no sphere has changed: keeps the pairs
+  neighbor_list,  // no sphere has left the skin: tests only the neighbor pairs
 };
 
-/// What is known of the frames before. All zero: nothing.
+/// What is known about earlier frames. All zero means that nothing is known.
 struct Kept {
-  std::uint64_t frames;          // since then
-  std::uint32_t snapshot_holds;  // the copy equals the spheres of the last frame
-  std::uint32_t list_made;       // neighbor pairs were listed in the last search, with
-  float growth;                  // as much added to each radius
-  std::uint64_t neighbor_list;   // listed; counts on past the end
-  std::uint32_t still;           // how many of the sample had not changed in the last frame
-  float farthest;                // that one of the sample had moved
-  // In a frame, until its first kernel ends:
+  std::uint64_t frames;          // frames since then
+  std::uint32_t snapshot_holds;  // the snapshot equals the spheres of the last frame
+  std::uint32_t list_made;       // the last search listed neighbor pairs
+  float growth;                  // of each radius in that search
+  std::uint64_t neighbor_list;   // pairs listed; continues to count past the end
+  std::uint32_t still;           // how many spheres of the sample had not changed in the last frame
+  float farthest;                // the longest way of a sphere of the sample
+  // Used within a frame, until its first kernel ends:
   std::uint32_t found;         // bits, see below
   std::uint32_t blocks_done;   // of that kernel
-  std::uint32_t still_now;     // of the sample
+  std::uint32_t still_now;     // spheres of the sample
   std::uint32_t farthest_now;  // the bits of a float
 };
 
-/// What has been seen of the spheres.
-inline constexpr std::uint32_t kDiffers = 1;  // from the copy
-inline constexpr std::uint32_t kLeft = 2;     // the skin, or the plan's facts
+/// Bits of Kept::found.
+inline constexpr std::uint32_t kDiffers = 1;  // from the snapshot
+inline constexpr std::uint32_t kLeft = 2;     // its skin, or the plan's facts
 
-/// Spheres whose steps say how all move: a guess, on which time depends and nothing else.
+/// The number of spheres whose steps stand for all. This is a guess that affects only time.
 inline constexpr std::uint32_t kSampled = 256;
 
-/// What may be taken over, and the room for it.
+/// What may be reused, and how much room there is.
 struct Allowed {
   bool unchanged;
   bool neighbor_list;
@@ -50,16 +50,16 @@ struct Allowed {
   [[nodiscard]] OCTOCELL_HD bool any() const { return unchanged || neighbor_list; }
 };
 
-/// What a frame tries, before it has seen a sphere.
+/// What a frame tries, before it has read a sphere.
 struct Trial {
-  bool compare;  // with the copy
-  bool skin;     // with where spheres were when the neighbor pairs were listed
-  bool keep;     // a copy is made, for the next frame
+  bool compare;  // with the snapshot
+  bool skin;     // compare with the places where spheres were when the neighbor pairs were listed
+  bool keep;     // write a snapshot for the next frame
 };
 
-/// `complete`: the last frame found all pairs, and had room for them. If not, nothing it left is
-/// relied on. A copy is made where it may be of use in the next frame: the first time, and once
-/// nothing in the sample moves.
+/// Decides what a frame tries. `complete` means that the last frame found all pairs and had room
+/// for them; if not, nothing from it is used. A snapshot is written if the next frame may use it:
+/// in the first frame, and when nothing in the sample moves.
 OCTOCELL_HD Trial trial_of(const Kept& kept, bool complete, const Allowed& allowed) {
   const bool still = kept.frames == 0 || kept.still == kSampled;
   Trial trial = {};
@@ -76,8 +76,8 @@ OCTOCELL_HD FrameMode mode_of(const Trial& trial, std::uint32_t found) {
   return FrameMode::search;
 }
 
-/// What is known once the frame has taken its course. `growth`: that of its search, if it has one.
-/// What stood before the last search stands until the next.
+/// Returns what is known after the frame. `growth` belongs to its search, if it was one. What the
+/// last search left stays valid until the next search.
 OCTOCELL_HD Kept after(Kept kept, const Trial& trial, FrameMode mode, const Allowed& allowed,
                        float growth) {
   ++kept.frames;
@@ -99,9 +99,9 @@ OCTOCELL_HD std::uint32_t bits_of(float value) {
   return bits;
 }
 
-/// The ball of the growth around where a sphere was, and the point where it is now: as long as they
-/// overlap, and the radius is the same, the sphere has not left its skin (docs/exactness.md). Both
-/// finite.
+/// The ball of the growth around the place where a sphere was, and the point where it is now. As
+/// long as they overlap and the radius is the same, the sphere has not left its skin
+/// (docs/exactness.md). Both must be finite.
 struct Step {
   Sphere ball;
   Sphere point;
@@ -110,12 +110,12 @@ OCTOCELL_HD Step step_of(const Sphere& then, const Sphere& now, float growth) {
   return {{then.x, then.y, then.z, growth}, {now.x, now.y, now.z, 0.0F}};
 }
 
-/// By how much a radius grows: static spheres are expected to stand.
+/// Returns by how much a radius grows; static spheres are expected not to move, so theirs do not.
 OCTOCELL_HD float growth_of(const Flags* flags, std::uint32_t sphere, float growth) {
   return flags != nullptr && is_static(flags[sphere]) ? 0.0F : growth;
 }
 
-/// The radius that a search goes by which lists neighbor pairs, and without growth any other.
+/// Returns the radius that a search uses: enlarged if it lists neighbor pairs.
 OCTOCELL_HD float radius_in_search(const Sphere& s, const Flags* flags, std::uint32_t sphere,
                                    float growth) {
   if (growth == 0.0F) return s.r;
@@ -123,7 +123,7 @@ OCTOCELL_HD float radius_in_search(const Sphere& s, const Flags* flags, std::uin
   return more == 0.0F ? s.r : grown_radius(s.r, more);
 }
 
-/// In float32. Uncertain: only the exact predicate knows.
+/// Decides in float32. If uncertain, only the exact predicate can tell.
 OCTOCELL_HD Verdict within_skin(const Sphere& then, const Sphere& now, float growth) {
   if (growth == 0.0F) return same_bits(then, now) ? Verdict::overlap : Verdict::apart;
   if (bits_of(then.r) != bits_of(now.r)) return Verdict::apart;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stage 2 of half_shell: one id a sphere, and three things besides while it is in registers. Each
-// sphere is held against the plan's facts (stage 1); the digits of its id are counted (stage 3).
+// Stage 2 of half_shell: writes one id a sphere. While the sphere is in registers, the kernel also
+// compares it with the plan's facts (stage 1) and counts the digits of its id (stage 3).
 #pragma once
 
 #include <algorithm>
@@ -17,10 +17,10 @@ struct IdsJob {
   std::uint32_t sphere_count;
   PlanFacts facts;
   Levels levels;
-  bool may_leave;      // where another course than a search may have been taken
-  float growth;        // of the radii, or 0
-  const Flags* flags;  // or none
-  Sphere* searched;    // output: the spheres that are searched for; may be null
+  bool may_leave;      // true if this frame may turn out not to be a search
+  float growth;        // of the radii; may be 0
+  const Flags* flags;  // may be null
+  Sphere* searched;    // output: the spheres as they are in this search; may be null
   std::uint32_t* cell_ids;
   Object* objects;
   State* state;
@@ -34,16 +34,17 @@ struct IdsJob {
 };
 
 constexpr int kIdsThreads = digit_histograms::kThreads;
-constexpr int kSpheresAtOnce = 2;          // loads of a thread under way
-constexpr std::uint32_t kIdsBlocks = 264;  // fills the chip; each adds its counts to those of all
+constexpr int kSpheresAtOnce = 2;          // a thread has that many loads in flight
+constexpr std::uint32_t kIdsBlocks = 264;  // fills the chip; each block adds its counts to the
+                                           // common ones
 
-/// What a thread has met.
+/// What a thread has found.
 struct Met {
   std::uint32_t violations = 0;
-  bool out_of_order = false;  // an id below that of the sphere before, in the part of its warp
+  bool out_of_order = false;  // some id is below that of the sphere before, in its warp's part
 };
 
-/// Each warp has a part of the spheres for itself, in a row, so that it sees the ids in their
+/// Returns the size of a warp's part. Each warp has consecutive spheres, so it sees their ids in
 /// order.
 __device__ inline std::uint32_t spheres_of_warp(const IdsJob& job) {
   const std::uint32_t warps = gridDim.x * (kIdsThreads / kWarpThreads);
@@ -57,7 +58,7 @@ __device__ Met put_ids(const IdsJob& job, std::uint32_t* counts) {
   const std::uint32_t begin = min(warp * size, job.sphere_count);
   const std::uint32_t end = min(begin + size, job.sphere_count);
   Met met;
-  std::uint32_t last = 0;  // id of the 32 spheres before
+  std::uint32_t last = 0;  // the last id of the previous 32 spheres
   for (std::uint32_t first = begin; first < end; first += kSpheresAtOnce * kWarpThreads) {
     Sphere spheres[kSpheresAtOnce];
 #pragma unroll
@@ -85,7 +86,7 @@ __device__ Met put_ids(const IdsJob& job, std::uint32_t* counts) {
   return met;
 }
 
-/// The last block's: what no warp has seen.
+/// Checks the order between the parts of warps, which no warp has seen. For the last block.
 __device__ inline bool out_of_order_between_warps(const IdsJob& job) {
   const std::uint32_t size = spheres_of_warp(job);
   bool found = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stage 4 of half_shell: where does each cell begin? Spheres are brought into the order of their
-// cells, once, so that stage 5 reads them side by side; pairs to look at are counted on the way.
+// Stage 4 of half_shell: where does each cell begin?  Gathers the spheres in the order of their
+// cells, once, so that stage 5 reads consecutive memory; also counts the candidates.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,14 @@
 
 namespace octocell::cuda_custom::half_shell {
 
-/// A block finds these many starts.
+/// How many starts a block finds.
 constexpr int kStartsPerThread = 8;
 constexpr std::uint32_t kStartsPerBlock = kBlockThreads * kStartsPerThread;
-constexpr std::uint32_t kMostStaged = 4096;  // sorted ids that a block searches in shared memory
+constexpr std::uint32_t kMostStaged = 4096;  // a block copies up to that many sorted ids to shared
+                                             // memory to search them
 
-/// The first of `count` places whose id is `id` or above. A warp cuts in 32 where a thread would
-/// halve. All lanes call it.
+/// Returns the first of `count` places whose id is `id` or above. A warp divides the range by 32
+/// where a thread would halve it. All lanes must call it.
 __device__ inline std::uint32_t search_by_warp(const std::uint32_t* cell_ids, std::uint32_t count,
                                                std::uint32_t id) {
   std::uint32_t begin = 0;
@@ -31,9 +32,9 @@ __device__ inline std::uint32_t search_by_warp(const std::uint32_t* cell_ids, st
   return begin;
 }
 
-/// Every start is searched for, first by the block, then by its threads within what the block
-/// found: it takes the same time however the spheres are spread. (One thread a sphere that fills
-/// the gap before it takes 20 times as long where spheres lie in clusters.)
+/// Searches for every start: first the block, then its threads within the part that the block
+/// found. So the time does not depend on how the spheres are spread. (If instead the thread of each
+/// sphere filled the gap before it, this would take 20 times as long for spheres in clusters.)
 __global__ void __launch_bounds__(kBlockThreads)
     starts_kernel(CellStarts to, std::uint32_t starts, const State* state) {
   __shared__ std::uint32_t ends[2];
@@ -55,8 +56,8 @@ __global__ void __launch_bounds__(kBlockThreads)
     __syncthreads();
     ids = staged;
   }
-  std::uint32_t places[kStartsPerThread] = {};  // counted from ends[0]
-  while (length > 0) {                          // all searches in step, so that their loads overlap
+  std::uint32_t places[kStartsPerThread] = {};  // relative to ends[0]
+  while (length > 0) {  // all searches advance together, so their loads overlap
     const std::uint32_t half = (length + 1) / 2;
 #pragma unroll
     for (int k = 0; k < kStartsPerThread; ++k) {
@@ -78,13 +79,13 @@ constexpr std::uint32_t kOrderedPerBlock = kBlockThreads * kOrderedPerThread;
 template <typename Neighbours>
 struct OrderJob {
   Neighbours neighbours;
-  const Sphere* spheres;  // as they came
+  const Sphere* spheres;  // in the scene's order
   Sphere* ordered;
-  PackedSphere* packed;  // of packed tests
+  PackedSphere* packed;  // for packed tests
   PairTest test;
   Packing packing;
   float growth;
-  const Flags* flags;  // or none
+  const Flags* flags;  // may be null
   State* state;
 
   __device__ void put(std::uint32_t place, Sphere s) const {

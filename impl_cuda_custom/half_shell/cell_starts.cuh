@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the spheres with an id begin among the sorted ones. A start for each id, or for each
-// 2^shift ids where ids are many; from there it is a short search.
+// Where the spheres with an id begin among the sorted ones. There is a start for each id; or, if
+// there are many ids, for each 2^shift ids, followed by a short search.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct CellStarts {
   std::uint32_t* starts;
   int shift;
 
-  /// The first place in [begin, end), or `end`, whose id is `id` or above.
+  /// Returns the first place in [begin, end), or `end`, whose id is `id` or above.
   [[nodiscard]] __device__ std::uint32_t search(std::uint32_t begin, std::uint32_t end,
                                                 std::uint32_t id) const {
     while (begin < end) {
@@ -28,7 +28,7 @@ struct CellStarts {
     return begin;
   }
 
-  /// The same among all; `id` is at most one above the last that can occur.
+  /// Searches all places. `id` is at most one above the largest possible id.
   [[nodiscard]] __device__ std::uint32_t place_of(std::uint32_t id) const {
     const std::uint32_t group = id >> shift;
     const std::uint32_t begin = starts[group];

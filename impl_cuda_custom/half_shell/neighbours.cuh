@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Where the neighbours of a sphere lie among the sorted spheres: as runs of places, one a row of
-// columns. Each pair of spheres that may overlap lies in one run of one of the two, and in one
-// only.
-//   Of the sphere's own level: its own row from the sphere on, and four rows behind it, which with
-//   the four before it, whose spheres find this one, are all rows around (half of the shell).
-//   Of each coarser level: nine rows of that level's grid, around the cell in which the sphere
+// Where the neighbours of a sphere lie among the sorted spheres: as runs of places, one for each
+// row of columns. Each pair of spheres that may overlap lies in one run of one of the two, and in
+// no other run.
+//   In the sphere's own level: its own row from the sphere on, and four rows behind it. The spheres
+//   of the four rows before it find this one, so together these are all rows around (half a
+//   shell).
+//   In each coarser level: nine rows of that level's grid, around the cell in which the sphere
 //   lies.
 #pragma once
 
@@ -22,11 +23,11 @@ struct Run {
   [[nodiscard]] __device__ std::uint32_t size() const { return end - begin; }
 };
 
-/// The levels and the spheres sorted by them, as stages 4 and 5 look at them.
+/// The levels and their sorted spheres, as stages 4 and 5 see them.
 struct Shells {
   Levels levels;
-  bool open[kMaxLevels];  // by level; see is_open()
-  bool rows_wrap;         // in any level
+  bool open[kMaxLevels];  // for each level; see is_open()
+  bool rows_wrap;         // in some level
   CellStarts starts;
   const Sphere* spheres;  // sorted, with stored radii
   const Object* objects;  // their ids
@@ -38,8 +39,8 @@ struct Shells {
   }
 
   /// Calls visit(run) for each run of the sphere at `place`, whose id is `id`. All lanes of a warp
-  /// call it, and visit() is called by all of them together; a lane without a sphere (not
-  /// `present`) has empty runs.
+  /// must call it, and they call visit() together. A lane without a sphere (not `present`) has
+  /// empty runs.
   template <typename Visit>
   __device__ void visit_runs(bool present, std::uint32_t place, std::uint32_t id,
                              const Sphere& sphere, Visit visit) const;
@@ -53,23 +54,23 @@ struct Shells {
   }
 };
 
-/// A level whose borders need no care. Its rows are counted by the differences of ids alone: ids
-/// behind a border belong to the other end of the next row, whose spheres are too far away to
-/// overlap. These differences are distinct for all columns of all rows around, so each pair of ids
-/// is met once; that takes more columns than a run has, three rows at least, and no axis that
-/// wraps.
+/// Returns true if the borders of a level need no special case. Rows are then found only by
+/// differences of ids. An id beyond a border belongs to the other end of the next row, whose
+/// spheres are too far away to overlap. The differences are distinct for all columns of all rows
+/// around, so each pair of ids is met once. That needs more columns than a run has, at least three
+/// rows, and no wrapped axis.
 inline bool is_open(const Level& level) {
   return !level.grid.wraps() && level.grid.stride_y > 2 * level.column_reach &&
          level.grid.period(1) >= 3;
 }
 
-/// A row around a cell: its y and z, counted from the cell's.
+/// The position of a row relative to that of a cell.
 struct RowStep {
   int y;
   int z;
 };
 
-/// Rows of the half shell: 0 is the sphere's own.
+/// The number of rows of the half shell; row 0 is the sphere's own.
 constexpr int kShellRows = 5;
 __device__ inline RowStep shell_row(int row) {
   return row < 2 ? RowStep{row, 0}
@@ -78,7 +79,8 @@ __device__ inline RowStep shell_row(int row) {
 constexpr int kRowsAround = 9;
 __device__ inline RowStep row_around(int row) { return {row % 3 - 1, row / 3 - 1}; }
 
-/// In an open level: the columns from `back` before those of `id` to the column_reach behind it.
+/// For an open level: returns the columns from `back` before that of `id` to column_reach behind
+/// it.
 __device__ inline Run open_run(const CellStarts& starts, const Level& level, std::uint32_t id,
                                RowStep step, std::uint32_t back) {
   const auto first = std::int64_t{level.first_id};
@@ -92,7 +94,7 @@ __device__ inline Run open_run(const CellStarts& starts, const Level& level, std
           starts.place_of(within(there + level.column_reach + 1))};
 }
 
-/// A cell's coordinates as its id has them: those of a wrapped axis lie within its period.
+/// Returns a cell's coordinates from its id; on a wrapped axis they lie within its period.
 __device__ inline Cell cell_of_id(const Level& level, std::uint32_t id) {
   const std::uint32_t columns = level.grid.stride_y;
   const std::uint32_t rows = level.grid.period(1);
@@ -101,7 +103,7 @@ __device__ inline Cell cell_of_id(const Level& level, std::uint32_t id) {
   return {id - level.first_id - row * columns, row - layer * rows, layer};
 }
 
-/// Takes a coordinate to its neighbour, -1, 0 or 1 further on; false where the axis ends.
+/// Moves a coordinate by -1, 0 or 1; returns false if the axis ends there.
 __device__ inline bool step_along(const Grid& grid, int axis, int step, std::uint32_t& coordinate) {
   coordinate += static_cast<std::uint32_t>(step);
   if (coordinate < grid.period(axis)) return true;
@@ -110,8 +112,8 @@ __device__ inline bool step_along(const Grid& grid, int axis, int step, std::uin
   return true;
 }
 
-/// In any level; `around`: the part behind the border of a row that wraps, which is empty except
-/// for the columns next to it.
+/// For any level. `around` selects the part beyond the border of a row that wraps; it is empty
+/// except for columns near that border.
 __device__ inline Run bordered_run(const CellStarts& starts, const Level& level, std::uint32_t id,
                                    RowStep step, std::uint32_t back, bool around) {
   const Grid& grid = level.grid;
@@ -129,8 +131,8 @@ __device__ inline Run bordered_run(const CellStarts& starts, const Level& level,
   return cell.x < back ? run(cell.x + columns - back, columns) : Run{};
 }
 
-/// Calls visit(run_of(k)) for k below `count`. A run is looked up before the one before it is
-/// visited, so that the two overlap.
+/// Calls visit(run_of(k)) for k below `count`. Looks up each run before it visits the previous one,
+/// so that the two overlap.
 template <typename RunOf, typename Visit>
 __device__ void visit_each(int count, RunOf run_of, Visit visit) {
   Run next = run_of(0);
@@ -178,12 +180,12 @@ __device__ void Shells::visit_runs(bool present, std::uint32_t place, std::uint3
   }
 }
 
-/// The case of most scenes: one level, and open. Its runs are a few additions away from an id.
+/// The common case: a single, open level. Its runs follow from an id by a few additions.
 struct OpenLevel {
   std::uint32_t ids;
   std::uint32_t column_reach;
-  std::uint32_t row;    // from a cell's id to that of its neighbour in y
-  std::uint32_t layer;  // in z
+  std::uint32_t row;    // from the id of a cell to that of its neighbour in y
+  std::uint32_t layer;  // the same in z
   CellStarts starts;
   const Sphere* spheres;
   const Object* objects;
@@ -240,7 +242,7 @@ inline OpenLevel open_level_of(Workspace& w, const CellStarts& starts) {
           .objects = w.sorted().values};
 }
 
-/// Calls run(neighbours) with the one of the two that the plan needs.
+/// Calls run(neighbours) with Shells or OpenLevel, whichever the plan needs.
 template <typename WithNeighbours>
 void with_neighbours(Workspace& w, WithNeighbours run) {
   const CellStarts starts = starts_of(w);

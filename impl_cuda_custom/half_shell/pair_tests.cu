@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Stage 5 of half_shell: a thread a sphere, which meets the spheres of its runs one by one. Threads
-// of a warp have spheres side by side, so their runs overlap, and what one loads the first-level
-// cache holds for the others.
+// Stage 5 of half_shell: one thread for each sphere, which is tested against the spheres of its
+// runs one by one. The threads of a warp have neighbouring spheres, so their runs overlap, and what
+// one thread loads is in the first-level cache for the others.
 #include "impl_cuda_custom/half_shell/pair_tests.cuh"
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 namespace octocell::cuda_custom::half_shell {
 namespace {
 
-/// `Stored`: what of the sorted spheres the test reads.
+/// `Stored`: the type of sorted sphere that the test reads.
 template <typename Neighbours, typename Test, typename Stored>
 struct TestJob {
   Neighbours neighbours;
@@ -24,7 +24,7 @@ struct TestJob {
   std::uint64_t candidate_limit;
   SinkArguments sink;
 
-  /// The same for all threads: nothing that is read here changes in this stage.
+  /// Returns the same for all threads: nothing that it reads changes in this stage.
   [[nodiscard]] __device__ bool may_test() const {
     return sink.state->violations == 0 && sink.state->candidates <= candidate_limit;
   }
@@ -36,8 +36,8 @@ struct Hit {
   std::uint32_t other;
 };
 
-/// The hits of a warp, kept until there is one for each lane: few lanes hit at once, and what a hit
-/// costs, the warp pays, however many lanes have one.
+/// Collects the hits of a warp until there is one for each lane. Few lanes have a hit at the same
+/// time, but the warp would spend the same time on one hit as on 32.
 template <typename Sink, typename Job>
 class HitQueue {
  public:
@@ -47,7 +47,7 @@ class HitQueue {
   __device__ HitQueue(const Job& job, Sink& sink, Shared& shared)
       : job_(job), sink_(sink), hits_(shared.hits[warp()]) {}
 
-  /// All lanes of the warp call it; those that `have` a hit append it.
+  /// Appends the hits of those lanes that `have` one. All lanes of the warp must call it.
   __device__ void push(bool have, Hit hit) {
     const unsigned having = __ballot_sync(kAllLanes, have);
     if (have) hits_[size_ + __popc(having & lanes_below())] = hit;
@@ -55,9 +55,9 @@ class HitQueue {
     if (size_ >= kWarpThreads) drain();
   }
 
-  /// Hands up to 32 hits to the sink.
+  /// Passes up to 32 hits to the sink.
   __device__ void drain() {
-    __syncwarp();  // what other lanes have stored is seen
+    __syncwarp();  // makes the stores of other lanes visible
     const int count = min(size_, kWarpThreads);
     size_ -= count;
     const bool mine = lane() < count;
@@ -71,7 +71,7 @@ class HitQueue {
       pair = make_pair_of(objects[hit.row], objects[hit.other]);
     }
     sink_.take(verdict, pair);
-    __syncwarp();  // the places may be written again
+    __syncwarp();  // the next push may overwrite the places
   }
 
  private:
@@ -81,13 +81,13 @@ class HitQueue {
   int size_ = 0;  // the same in all lanes
 };
 
-/// Which of the `count` spheres from `other` on may overlap `row`: one bit each. `count` is at most
-/// 32 and the same in all lanes, so nothing is asked after each; spheres behind a lane's own are
-/// read, kReadBehind at most.
+/// Returns which of the `count` spheres from `others` on may overlap `row`, one bit each. `count`
+/// is at most 32 and the same in all lanes, so there is no branch after each sphere. A lane may
+/// read beyond its own run, by at most kReadBehind spheres.
 template <typename Test, typename Stored>
 __device__ inline std::uint32_t find_hits(const Test& test, const Stored& row, const Stored* others,
                                           std::uint32_t count) {
-  constexpr int kAtOnce = 3;  // more need registers that cost blocks
+  constexpr int kAtOnce = 3;  // more need so many registers that fewer blocks fit
   std::uint32_t hits = 0;
 #pragma unroll 1
   for (std::uint32_t k = 0; k < count; k += kAtOnce) {
@@ -105,7 +105,7 @@ __device__ inline std::uint32_t find_hits(const Test& test, const Stored& row, c
   return hits;
 }
 
-/// All lanes of the warp call it, each with a run of its own.
+/// Tests the lane's own run. All lanes of the warp must call it.
 template <typename Job, typename Queue, typename Stored>
 __device__ void test_run(const Job& job, Queue& queue, std::uint32_t place, const Stored& row,
                          Run run) {
@@ -178,7 +178,8 @@ void pair_tests(Workspace& w) {
     return test_runs<coherence::KeepNear>(w, of_grown, spheres, sink);
   }
   with_pair_test(w.plan.test, [&]<PairTest asked>() {
-    // Radii come with the coordinates: that they are equal spares no load, and costs a register.
+    // Radii are loaded together with coordinates. Knowing that they are equal saves no load and
+    // costs a register.
     constexpr PairTest test = asked == PairTest::filter_equal ? PairTest::filter_fast : asked;
     const FixedTest<test> fixed = {packing};
     if constexpr (is_packed(test)) {

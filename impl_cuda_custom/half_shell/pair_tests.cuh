@@ -5,7 +5,7 @@
 
 namespace octocell::cuda_custom::half_shell {
 
-/// Stage 5 of half_shell.
+/// Runs stage 5 of half_shell.
 void pair_tests(Workspace& w);
 
 }  // namespace octocell::cuda_custom::half_shell

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Variant 1: one bit a pass. Zeros go to the front, ones behind them, each in their order.
-// Against the variant below: there is none. This is the least code that sorts in parallel.
-// Why it works: a stable split by each bit in turn, the lowest first, sorts (Blelloch 1990); where
-//   an item goes follows from how many ones stand before it, which is a prefix sum of the flags.
+// Variant 1: one bit a pass. Zeros go to the front, ones behind them; each group keeps its order.
+// Against the variant below: there is none. This is the shortest code that sorts in parallel.
+// Why it works: a stable split by each bit in turn, the lowest first, sorts (Blelloch 1990). The
+//   place of an item follows from the number of ones before it, a prefix sum of the flags.
 // Measured: the ladder in the report of `octocell bench-sort`, algorithm cuda_one_bit_split.
 #include <cstdint>
 
@@ -25,7 +25,7 @@ struct Split {
 
 __device__ bool is_one(std::uint32_t key, int bit) { return (key >> bit & 1) != 0; }
 
-/// Each block counts the ones of its tile.
+/// Counts the ones of each block's tile.
 __global__ void __launch_bounds__(kThreads) count_ones_kernel(Split split, DigitTable ones) {
   const std::uint32_t count = pairs_to_sort(split.count, split.capacity);
   const std::uint32_t tile = blockIdx.x;
@@ -38,7 +38,7 @@ __global__ void __launch_bounds__(kThreads) count_ones_kernel(Split split, Digit
   if (threadIdx.x == 0) ones.at(0, tile) = found;
 }
 
-/// Each item moves to its side. `ones` says how many stand before each tile.
+/// Moves each item to its side. `ones` holds how many ones come before each tile.
 __global__ void __launch_bounds__(kThreads) scatter_kernel(Split split, DigitTable ones) {
   __shared__ std::uint32_t warp_sums[kThreads / kWarpThreads];
   const std::uint32_t count = pairs_to_sort(split.count, split.capacity);
@@ -58,7 +58,7 @@ __global__ void __launch_bounds__(kThreads) scatter_kernel(Split split, DigitTab
       split.to.values[place] = split.from.values[i];
     }
     ones_before += sums.total;
-    __syncthreads();  // warp_sums are used again
+    __syncthreads();  // the next round uses warp_sums again
   }
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Variant 2: digits of 8 bits, in three phases (GPU Gems 3, chapter 32): tabulate, sum, reorder.
-// Against variant 1: a pass settles 8 bits instead of one. A group of 32 threads has 256 counters,
-//   one for each value of the digit, and a part of the input of its own.
+// Against variant 1: a pass sorts by 8 bits instead of one. A group of 32 threads has 256 counters,
+//   one for each value of the digit, and its own part of the input.
 // Why it should help: 32-bit keys cross the memory 4 times instead of 32.
-// What holds it back: to stay stable, the 32 threads update the counters one after another, 32
-//   steps for 32 items; and neighbours in the input are written far apart.
+// What limits it: to stay stable, the 32 threads update the counters one after another, 32 steps
+//   for 32 items; and neighbours in the input are written far apart.
 // Measured: the ladder in the report of `octocell bench-sort`, algorithm cuda_digit_passes.
 #include <cstdint>
 
@@ -19,7 +19,7 @@ constexpr int kThreads = 256;
 constexpr int kGroups = kThreads / kWarpThreads;
 constexpr int kRounds = 64;
 constexpr std::uint32_t kPart = kWarpThreads * kRounds;  // items of a group
-static_assert(kCounters == kThreads);                    // a thread for each digit's start
+static_assert(kCounters == kThreads);                    // each digit's start has its own thread
 
 struct Pass {
   KeysAndValues from;
@@ -31,7 +31,7 @@ struct Pass {
 
 __device__ std::uint32_t part_of_group() { return blockIdx.x * kGroups + warp_of_thread(); }
 
-/// Phase 1, setup and tabulation: how often each digit occurs in each group's part.
+/// Phase 1, setup and tabulation: counts how often each digit occurs in each group's part.
 __global__ void __launch_bounds__(kThreads) tabulate_kernel(Pass pass, DigitTable table) {
   __shared__ std::uint32_t all_counters[kGroups][kCounters];
   const std::uint32_t count = pairs_to_sort(pass.count, pass.capacity);
@@ -50,8 +50,8 @@ __global__ void __launch_bounds__(kThreads) tabulate_kernel(Pass pass, DigitTabl
   }
 }
 
-/// Phase 2, radix summation, is sum_rows() for the parts of each digit; this adds all smaller
-/// digits: where the first key with each digit goes.
+/// Finds where the first key with each digit goes: adds up all smaller digits. (Phase 2, radix
+/// summation, is sum_rows() for the parts of each digit.)
 __device__ void find_digit_starts(const Pass& pass, const DigitTable& table,
                                   std::uint32_t (&starts)[kCounters]) {
   __shared__ std::uint32_t warp_sums[kGroups];
@@ -61,7 +61,7 @@ __device__ void find_digit_starts(const Pass& pass, const DigitTable& table,
   __syncthreads();
 }
 
-/// Phase 3, reordering: each key goes to its counter's place, and the counter moves on.
+/// Phase 3, reordering: each key goes to the place of its counter, which then advances.
 __global__ void __launch_bounds__(kThreads) reorder_kernel(Pass pass, DigitTable table) {
   __shared__ std::uint32_t all_counters[kGroups][kCounters];
   __shared__ std::uint32_t starts[kCounters];

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Variant 3: the same three phases; a block takes a tile of 4,096 items, and no thread waits.
-// Against variant 2: one match instruction shows each lane of a warp the lanes with its digit, so
-//   32 items are ranked at once; and a tile is sorted in shared memory before it is written.
-// Why it should help: ranking takes a few instructions an item instead of 32 turns; items with the
-//   same digit leave side by side, in full memory transactions. (Merrill & Grimshaw 2010; ranking
-//   by match as in multisplit, Ashkiani et al. 2016.)
-// What holds it back: every pass reads the keys twice, once to count and once to move.
+// Variant 3: the same three phases; a block handles a tile of 4,096 items, and no thread waits.
+// Against variant 2: one match instruction tells each lane which lanes of its warp have its digit,
+//   so 32 items are ranked at once. Each tile is sorted in shared memory before it is written.
+// Why it should help: ranking takes a few instructions per item instead of 32 turns. Items with the
+//   same digit are written side by side, in full memory transactions. (Merrill & Grimshaw 2010;
+//   ranking by match as in multisplit, Ashkiani et al. 2016.)
+// What limits it: every pass reads the keys twice, once to count and once to move.
 // Measured: the ladder in the report of `octocell bench-sort`, algorithm cuda_reduce_then_scan.
 #include <cstdint>
 
@@ -18,9 +18,9 @@ constexpr int kWidest = 8;
 constexpr int kDigits = 1 << kWidest;
 constexpr int kThreads = 256;
 constexpr int kWarps = kThreads / kWarpThreads;
-constexpr int kItems = 16;  // of a thread
+constexpr int kItems = 16;  // per thread
 constexpr std::uint32_t kTile = kThreads * kItems;
-static_assert(kDigits == kThreads);  // a thread for each digit
+static_assert(kDigits == kThreads);  // each digit has its own thread
 
 struct Pass {
   KeysAndValues from;
@@ -30,7 +30,7 @@ struct Pass {
   Digit digit;
 };
 
-/// Upsweep: how often each digit occurs in each tile.
+/// Upsweep: counts how often each digit occurs in each tile.
 __global__ void __launch_bounds__(kThreads) upsweep_kernel(Pass pass, DigitTable table) {
   __shared__ std::uint32_t counts[kDigits];
   const std::uint32_t count = pairs_to_sort(pass.count, pass.capacity);
@@ -48,7 +48,8 @@ __global__ void __launch_bounds__(kThreads) upsweep_kernel(Pass pass, DigitTable
 }
 
 struct Shared {
-  std::uint32_t counts[kWarps][kDigits];  // of each warp; then the place in the tile of its first
+  std::uint32_t counts[kWarps][kDigits];  // of each warp; later the place in the tile of its first
+                                          // key
   std::uint32_t keys[kTile];
   std::uint32_t values[kTile];
   std::uint32_t offsets[kDigits];  // from a key's place in the tile to its place in the output
@@ -56,13 +57,13 @@ struct Shared {
   std::uint32_t digit_sums[kWarps];
 };
 
-/// Item `item` of this thread: a warp's items are neighbours, so warps and their rounds follow the
-/// order of the input.
+/// Returns the place of this thread's item `item`. The items of a warp are neighbours, so warps and
+/// their rounds follow the order of the input.
 __device__ std::uint32_t place_in_tile(int item) {
   return (warp_of_thread() * kItems + item) * kWarpThreads + lane_of_thread();
 }
 
-/// How many keys with the same digit stand before each key in its warp; counts them, too.
+/// Ranks each key: how many keys with the same digit come before it in its warp. Also counts them.
 __device__ void rank_in_warp(const std::uint32_t (&keys)[kItems], std::uint32_t (&ranks)[kItems],
                              Digit which, std::uint32_t (&counts)[kDigits]) {
   for (int d = lane_of_thread(); d < kDigits; d += kWarpThreads) counts[d] = 0;
@@ -78,13 +79,13 @@ __device__ void rank_in_warp(const std::uint32_t (&keys)[kItems], std::uint32_t 
       before = counts[digit];
       counts[digit] = before + __popc(peers);
     }
-    __syncwarp();  // the next item's leader may be another lane
+    __syncwarp();  // the next item may have another leader
     ranks[item] = __shfl_sync(kAllLanes, before, leader) + __popc(peers & lanes_below);
   }
 }
 
-/// Turns the warps' counts into where each warp's first key with a digit goes in the tile, and
-/// finds the way from there to the output. Each thread cares for one digit.
+/// Turns the counts of each warp into the places in the tile of its first keys. Also finds the
+/// offsets from there to the output. Each thread handles one digit.
 __device__ void place_digits(const Pass& pass, const DigitTable& table, Shared& s) {
   const std::uint32_t digit = threadIdx.x;
   std::uint32_t total = 0;
@@ -102,7 +103,7 @@ __device__ void place_digits(const Pass& pass, const DigitTable& table, Shared& 
   s.offsets[digit] = is_digit ? smaller + table.at(digit, blockIdx.x) - start : 0;
 }
 
-/// Downsweep: each tile is ordered by its digit in shared memory, then written.
+/// Downsweep: sorts each tile by its digit in shared memory, then writes it.
 __global__ void __launch_bounds__(kThreads) downsweep_kernel(Pass pass, DigitTable table) {
   __shared__ Shared s;
   const std::uint32_t count = pairs_to_sort(pass.count, pass.capacity);
@@ -110,7 +111,7 @@ __global__ void __launch_bounds__(kThreads) downsweep_kernel(Pass pass, DigitTab
   if (first >= count) return;
   const std::uint32_t here = min(count - first, kTile);
 
-  // Beyond the end stand keys with the greatest digit: they come last, and are not written.
+  // Beyond the end, keys have the largest digit: they come last and are not written.
   std::uint32_t keys[kItems];
   std::uint32_t ranks[kItems];
 #pragma unroll

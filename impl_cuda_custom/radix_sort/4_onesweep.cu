@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Variant 4: a pass reads every pair once and writes it once (Adinets & Merrill 2022, arXiv
-//   2206.01784). Against variant 3: the digits of all passes are counted in one reading at the
-//   start; where a tile's keys go follows from the tiles below by decoupled look-back, so there is
-//   no upsweep and no scan between. Digits have up to 10 bits, so 20 bits take two passes and 17
-//   bits two instead of three. Between two passes a key stands beside its value, so a pair is
-//   written as one word of 64 bits. Tiles are larger, and their size follows from how many pairs
-//   there may be.
+//   2206.01784).
+// Against variant 3: the digits of all passes are counted in one read at the start. Where the keys
+//   of a tile go follows from the tiles below by decoupled look-back, so there is no upsweep and no
+//   scan between. Digits have up to 10 bits, so 20 bits take two passes, and 17 bits two instead of
+//   three. Between two passes a key is stored beside its value, so a pair is written as one 64-bit
+//   word. Tiles are larger, and their size depends on how many pairs there may be.
 // Why it should help: a pass costs two memory operations a pair instead of three, in one launch
-//   instead of three; fewer passes for the widths that cell ids have; runs of neighbours that are
-//   twice as long in memory, and half as many.
+//   instead of three. The widths that cell ids have need fewer passes. Runs of neighbours are twice
+//   as long in memory, and half as many.
 // Measured: the ladder in the report of `octocell bench-sort`, algorithm cuda_onesweep.
 #include <algorithm>
 #include <cstddef>
@@ -22,8 +22,7 @@
 namespace octocell::cuda_custom::onesweep {
 namespace {
 
-/// Sorted input still lies where it did before the first pass. It is copied to where the last would
-/// leave it.
+/// Copies input that is already sorted to where the last pass would leave it.
 template <typename Here>
 __device__ void take_over(const Pass& pass) {
   const std::uint32_t count = pairs_to_sort(pass.count, pass.capacity);
@@ -35,10 +34,10 @@ __device__ void take_over(const Pass& pass) {
   }
 }
 
-/// With all registers: large tiles are fast, since the runs of neighbours that they write are long.
-/// (Both ends of a run fill a sector of memory in part, and the time of a pass follows how many
-/// such sectors there are.) That is one block a multiprocessor where digits are wide, else two, one
-/// of which ranks while the other waits for memory.
+/// A block may use all registers. Large tiles are fast, because they write long runs of neighbours.
+/// (Both ends of a run fill only a part of a memory sector, and the time of a pass depends on how
+/// many such sectors there are.) So one block fits on a multiprocessor if digits are wide;
+/// otherwise two, one of which ranks while the other waits for memory.
 template <int kDigitBits, int kItems, Form kFrom, Form kTo>
 __global__ void __launch_bounds__(threads_of(kDigitBits), kThreadsAtOnce / threads_of(kDigitBits))
     onesweep_kernel(Pass pass) {
@@ -59,8 +58,8 @@ __global__ void __launch_bounds__(threads_of(kDigitBits), kThreadsAtOnce / threa
 }
 
 struct Variant {
-  void (*kernels[2][2])(Pass);  // by the forms from which and to which they bring the pairs
-  int items;                    // of a thread
+  void (*kernels[2][2])(Pass);  // by the forms of input and output
+  int items;                    // per thread
   int threads;
   std::uint32_t tile_items;
   std::uint32_t owners;
@@ -82,18 +81,19 @@ constexpr Variant variant() {
           sizeof(typename Here::Shared)};
 }
 
-/// Of a digit: its 1,024 bins are two for each of 512 threads. A pass of 10 bits takes longer than
-/// one of 8, and two take less time than three of 8, at every size.
+/// In bits. Its 1,024 bins are two for each of 512 threads. A pass of 10 bits takes longer than one
+/// of 8, but two of 10 take less time than three of 8, at every size.
 constexpr int kWidest = 10;
 
-/// By digit width, then by tile size, the largest last.
+/// By digit width, then by tile size; the largest comes last.
 constexpr int kTileSizes = 4;
 template <int kDigitBits>
 constexpr Variant kBySize[kTileSizes] = {variant<kDigitBits, 4>(), variant<kDigitBits, 16>(),
                                          variant<kDigitBits, 32>(), variant<kDigitBits, 40>()};
 const Variant* const kByWidth[] = {kBySize<6>, kBySize<8>, kBySize<kWidest>};
 
-/// All passes use the kernels of the widest digit, so that they share the look-back words.
+/// Returns the variant for the widest digit. All passes use it, so that they share the look-back
+/// words.
 const Variant& variant_of(const DigitPlan& plan, int tile) {
   return kByWidth[(std::max(plan.width(), 6) - 5) / 2][tile];
 }
@@ -106,9 +106,9 @@ int attribute(cudaDeviceAttr which) {
   return value;
 }
 
-/// The tile with which the blocks that run at once are done first, among those that shared memory
-/// holds. All take a tile each, then the next; a tile takes a time for each item of a thread and a
-/// time besides (latencies, counters), about that of 28 items.
+/// Returns the fastest tile size that fits into shared memory. All blocks that run at once take a
+/// tile each, then the next. A tile takes some time for each item of a thread, and a fixed time
+/// (latencies, counters) of about 28 items.
 int tile_size(std::uint32_t capacity, const DigitPlan& plan) {
   constexpr std::uint64_t kBesides = 28;
   const auto processors = static_cast<std::uint32_t>(attribute(cudaDevAttrMultiProcessorCount));
@@ -127,7 +127,7 @@ int tile_size(std::uint32_t capacity, const DigitPlan& plan) {
   return best;
 }
 
-/// More than 48 KiB of shared memory must be asked for, once a device.
+/// Requests more than 48 KiB of shared memory; this must be done once per device.
 void ask_for_shared_memory(const Variant& v) {
   const auto set = [](auto* kernel, cudaFuncAttribute which, int value) {
     cuda::check(cudaFuncSetAttribute(reinterpret_cast<const void*>(kernel), which, value));
@@ -140,12 +140,12 @@ void ask_for_shared_memory(const Variant& v) {
   }
 }
 
-/// Where things lie in the scratch memory.
+/// The layout of the scratch memory.
 struct Layout {
   std::uint32_t* starts;     // [passes][bins]
   std::uint32_t* next_tile;  // [passes]
   std::uint32_t* blocks_done;
-  std::size_t zeroed;    // bytes from the start: all of the above
+  std::size_t zeroed;    // bytes from the start; these are the three arrays above
   std::uint64_t* words;  // [look_back::kMargin + tiles][owners]
   std::size_t bytes;
 };

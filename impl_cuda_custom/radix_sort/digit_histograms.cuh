@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Onesweep's first kernel: how often each value of each digit occurs, for all passes in one reading
-// of the keys (no pass changes it), and from that where the first key with each value goes. Resets
-// the look-back words on the way. Its parts serve kernels that make keys, too: open(), count_key()
-// for each key while it is still in a register, close().
+// The first kernel of onesweep. It counts how often each value of each digit occurs, for all passes
+// in one read of the keys (no pass changes the counts). From that it computes where the first key
+// with each value goes. It also resets the look-back words. Kernels that make keys can use its
+// parts: open(), count_key() for each key while it is in a register, close().
 #pragma once
 
 #include <algorithm>
@@ -18,12 +18,14 @@ namespace octocell::cuda_custom::digit_histograms {
 
 constexpr int kMostPasses = 4;  // 32 bits in digits of 8 to 10
 constexpr int kThreads = 512;
-constexpr int kItems = 8;  // of a thread, loaded before the first is counted
+constexpr int kItems = 8;  // per thread; all are loaded before the first is counted
 constexpr std::uint32_t kStep = kThreads * kItems;
-constexpr std::uint32_t kMostBlocks = 512;  // fills the chip; each adds its bins to the common ones
+constexpr std::uint32_t kMostBlocks = 512;  // fills the chip; each block adds its bins to the
+                                            // common ones
 
-/// So few registers that all blocks fit at once where a multiprocessor holds 2,048 threads; with
-/// more, the last quarter of the blocks ran alone, and it took a quarter longer.
+/// This limits the registers so that all blocks fit at once on a multiprocessor with 2,048 threads.
+/// With more registers, the last quarter of the blocks ran alone, and the kernel took a quarter
+/// longer.
 #if defined(__CUDA_ARCH__) && (__CUDA_ARCH__ == 800 || __CUDA_ARCH__ == 900 || \
                                __CUDA_ARCH__ == 1000 || __CUDA_ARCH__ == 1030)
 constexpr int kBlocksAtOnce = 4;
@@ -36,7 +38,7 @@ struct Job {
   const std::uint64_t* count;
   std::uint32_t capacity;
   Digit digits[kMostPasses];
-  int bins;                    // a pass; a power of two, at most 2 * kThreads
+  int bins;                    // per pass; a power of two, at most 2 * kThreads
   std::uint32_t* starts;       // [passes][bins] in: zeros; out: where a digit's first key goes
   std::uint32_t* blocks_done;  // in: zero
   std::uint64_t* words;        // look-back: [kMargin + tiles][words_per_tile]
@@ -64,8 +66,8 @@ __device__ void count_key(const Job& job, std::uint32_t key, std::uint32_t* coun
   }
 }
 
-/// The keys from `first` on. Without a question after each key in a whole step, whose loads and
-/// counts then overlap.
+/// Counts the keys from `first` on. A whole step has no branch after each key, so its loads and
+/// counts overlap.
 template <int kPasses, bool kWhole>
 __device__ void count_step(const Job& job, std::uint32_t first, std::uint32_t count,
                            std::uint32_t* counts) {
@@ -93,10 +95,10 @@ __device__ void count_digits(const Job& job, std::uint32_t count, std::uint32_t*
   }
 }
 
-/// True in the block that ends last, which then sees what all others have added.
+/// Returns true in the block that ends last; that block then sees what all others have added.
 __device__ inline bool is_last_block(std::uint32_t* blocks_done) {
   __shared__ bool last;
-  __threadfence();  // this thread's sums come before its block's sign of being done
+  __threadfence();  // this thread's sums must be visible before its block reports that it is done
   __syncthreads();
   if (threadIdx.x == 0) last = atomicAdd(blocks_done, 1u) == gridDim.x - 1;
   __syncthreads();
@@ -104,8 +106,8 @@ __device__ inline bool is_last_block(std::uint32_t* blocks_done) {
   return last;
 }
 
-/// Counts of each pass become starts. A thread has two neighbouring bins of each, and loads all
-/// before it sums up the first.
+/// Turns the counts of each pass into starts. A thread has two neighbouring bins of each pass and
+/// loads all of them before it adds up the first.
 template <int kPasses>
 __device__ void sum_bins(std::uint32_t* bins, int size) {
   __shared__ std::uint32_t warp_sums[kPasses][kThreads / kWarpThreads];
@@ -124,8 +126,8 @@ __device__ void sum_bins(std::uint32_t* bins, int size) {
   }
 }
 
-/// Clears the block's counts ([kPasses][job.bins], shared by its kThreads threads), and its part of
-/// the look-back words. `count`: of keys to come.
+/// Clears the block's counts ([kPasses][job.bins], shared by its kThreads threads) and its part of
+/// the look-back words. `count` is the number of keys to come.
 template <int kPasses>
 __device__ void open(const Job& job, std::uint32_t count, std::uint32_t* counts) {
   for (int i = threadIdx.x; i < kPasses * job.bins; i += kThreads) counts[i] = 0;
@@ -133,8 +135,8 @@ __device__ void open(const Job& job, std::uint32_t count, std::uint32_t* counts)
   reset_look_back(job, count);
 }
 
-/// The block's counts join those of all. True in the block that ends last, which made starts of
-/// them and sees what all other blocks have written.
+/// Adds the block's counts to the common ones. Returns true in the block that ends last: it has
+/// turned them into starts, and it sees what all other blocks have written.
 template <int kPasses>
 __device__ bool close(const Job& job, const std::uint32_t* counts) {
   __syncthreads();

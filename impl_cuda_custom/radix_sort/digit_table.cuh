@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The table of the variants below onesweep: how often each digit occurs in each part of the input.
-// A row for each digit, a column for each part; summing up turns counts into places.
+// The table of variants 1 to 3: how often each digit occurs in each part of the input. It has a row
+// for each digit and a column for each part. Summing up turns counts into places.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace octocell::cuda_custom {
 struct DigitTable {
   std::uint32_t* entries;     // [rows][columns]
   std::uint32_t* row_totals;  // [rows]
-  std::uint32_t columns;      // parts of the capacity; those beyond the count are never touched
+  std::uint32_t columns;      // parts of the capacity; columns beyond the count are never used
 
   __device__ std::uint32_t& at(std::uint32_t row, std::uint32_t column) const {
     return entries[std::size_t{row} * columns + column];
@@ -39,7 +39,7 @@ namespace digit_table {
 
 constexpr int kThreads = 1024;
 
-/// A block sums up a row: each entry becomes the sum of those before it in the row.
+/// Sums up one row per block: each entry becomes the sum of those before it in the row.
 static __global__ void __launch_bounds__(kThreads)
     sum_rows_kernel(DigitTable table, const std::uint64_t* count, std::uint32_t capacity,
                     std::uint32_t part_items) {
@@ -52,7 +52,7 @@ static __global__ void __launch_bounds__(kThreads)
     const Sums sums = block_sums<kThreads>(x, warp_sums);
     if (part < parts) table.at(blockIdx.x, part) = before + sums.before;
     before += sums.total;
-    __syncthreads();  // warp_sums are used again
+    __syncthreads();  // the next round uses warp_sums again
   }
   if (threadIdx.x == 0) table.row_totals[blockIdx.x] = before;
 }

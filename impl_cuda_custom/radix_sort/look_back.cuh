@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Decoupled look-back (Merrill & Garland 2016): how many keys with a digit stand in all tiles
-// below, found while those tiles are still at work.
+// Decoupled look-back (Merrill & Garland 2016): finds how many keys with a digit are in all tiles
+// below, while those tiles are still being processed.
 #pragma once
 
 #include <cstdint>
 
 namespace octocell::cuda_custom {
 
-/// A tile says of two neighbouring digits, in one word that is read and written at once: 2 bits of
-/// state, 31 bits for how often the odd digit occurs, 31 bits for the even one. So neither can be
-/// seen without the other or without its state, counts may be added as they stand, and 2^31 - 1
-/// items need no portions.
+/// A tile publishes two neighbouring digits in one word, which is read and written at once: 2 bits
+/// of state, 31 bits for the count of the odd digit, 31 bits for the count of the even one. So no
+/// reader sees one without the other or without its state. Counts can be added without unpacking,
+/// and 2^31 - 1 items need no splitting.
 namespace look_back {
 
 constexpr int kCountBits = 31;
@@ -28,10 +28,10 @@ __host__ __device__ constexpr std::uint32_t odd_of(std::uint64_t word) {
   return static_cast<std::uint32_t>(word >> kCountBits & kOneCount);
 }
 
-/// What the state bits mean changes from pass to pass: all words end a pass as `whole`, and the
-/// next pass takes that for `empty`. So they are reset once a sort, not once a pass.
+/// The meaning of the state bits changes from pass to pass: all words end a pass as `whole`, which
+/// the next pass reads as `empty`. So they are reset once per sort, not once per pass.
 struct States {
-  std::uint64_t empty;  // nothing was said yet
+  std::uint64_t empty;  // nothing published yet
   std::uint64_t own;    // counts of this tile alone
   std::uint64_t whole;  // counts of this tile and all below
 };
@@ -41,8 +41,8 @@ __host__ __device__ constexpr States states_of(int pass) {
 }
 static_assert(states_of(0).empty == 0 && states_of(1).empty == states_of(0).whole);
 
-/// Volatile: neither kept in a register while waiting, nor answered by a stale first-level cache.
-/// Nothing but the word itself is handed over, so no fence is needed.
+/// Volatile: a waiting thread must not keep the word in a register or read it from a stale
+/// first-level cache. Only the word itself is passed on, so no fence is needed.
 __device__ inline std::uint64_t read(const std::uint64_t* word) {
   return *reinterpret_cast<const volatile std::uint64_t*>(word);
 }
@@ -50,17 +50,17 @@ __device__ inline void write(std::uint64_t* word, std::uint64_t value) {
   *reinterpret_cast<volatile std::uint64_t*>(word) = value;
 }
 
-/// Reads that one thread has in flight. One by one, each tile further back would cost a whole
-/// latency; too many read what is not needed.
+/// How many reads a thread has in flight. With single reads, each tile further back costs a whole
+/// latency; with too many, most of them are not needed.
 constexpr int kMostAtOnce = 8;
 
-/// Tiles of words before those of tile 0, which are read with it and never used.
+/// Tiles of words before those of tile 0: they are read together with it and never used.
 constexpr int kMargin = kMostAtOnce - 1;
 
-/// The sum over all tiles below. `word` is this thread's of the tile just below, and `kStride`
-/// words lie between two tiles. All of those tiles have started, so they will answer. Where few
-/// tiles follow each other, all have just started: none knows the tiles below it, the way back is
-/// long, and a greater kAtOnce shortens it.
+/// Returns the sum over all tiles below. `word` is this thread's word of the tile just below; two
+/// tiles are `kStride` words apart. All those tiles have started, so they will publish. If there
+/// are few tiles, all have just started and none knows the tiles below it. Then the way back is
+/// long, and a larger kAtOnce shortens it.
 template <int kStride, int kAtOnce>
 __device__ std::uint64_t sum_below(const std::uint64_t* word, const States& states) {
   std::uint64_t sum = 0;

@@ -15,8 +15,8 @@
 
 namespace octocell::cuda_custom::onesweep {
 
-/// How the pairs of a side lie in its memory: as the caller's two arrays, or, between two passes,
-/// each key beside its value.
+/// How pairs are stored: as the caller's two arrays, or, between two passes, with each key beside
+/// its value.
 enum class Form : std::uint8_t { arrays, pairs };
 
 __host__ __device__ inline uint2* pairs_of(const KeysAndValues& side) {
@@ -29,8 +29,9 @@ struct Pass {
   KeysAndValues to;
   const std::uint64_t* count;
   std::uint32_t capacity;
-  const std::uint32_t* out_of_order;  // or none
-  bool takes_over;  // what comes in order: else the result is looked for where it lies already
+  const std::uint32_t* out_of_order;  // may be null
+  bool takes_over;  // true if this pass copies input that is already in order to where the result
+                    // is expected
   Digit digit;
   const std::uint32_t* starts;  // [bins] where the first key with each digit goes
   std::uint32_t* next_tile;
@@ -39,12 +40,12 @@ struct Pass {
   std::uint32_t ones;  // kOnes
 };
 
-/// Threads of a block, by the widest digit; 512 threads of a multiprocessor have all its registers.
+/// Threads of a block, by the widest digit; 512 threads use all registers of a multiprocessor.
 constexpr int kThreadsAtOnce = 512;
 constexpr int threads_of(int digit_bits) { return digit_bits <= 8 ? 256 : kThreadsAtOnce; }
 
-/// A block and its tile. Counters of two neighbouring digits, 16 bits each, share a word (a tile
-/// has fewer than 2^16 items), so a thread that owns a word owns both digits: it sums them up in
+/// A block and its tile. The counters of two neighbouring digits, 16 bits each, share a word (a
+/// tile has fewer than 2^16 items). A thread that owns a word owns both digits: it sums them up in
 /// one addition, and its look-back word holds both.
 template <int kDigitBits, int kItems, Form kFrom, Form kTo>
 class Tile {
@@ -54,13 +55,13 @@ class Tile {
   static constexpr std::uint32_t kBins = 1u << kDigitBits;
   static constexpr std::uint32_t kOwners = kBins / 2;
   static constexpr std::uint32_t kSize = kThreads * kItems;
-  static constexpr int kAbreast = 2;                    // items ranked at once by a thread
+  static constexpr int kAbreast = 2;                    // items that a thread ranks at once
   static constexpr int kAtOnce = kItems <= 16 ? 8 : 4;  // look-back: see sum_below()
   static_assert(kAtOnce <= look_back::kMostAtOnce);
   static_assert(kOwners <= kThreads && kSize < 1u << 16 && kItems % 4 == 0);
 
   struct Shared {
-    union {  // the counts are done with when the first key is put in order
+    union {  // the counts are no longer needed when the first key is put in order
       std::uint32_t counts[kWarps][kOwners];
       std::uint32_t keys[kSize];
     };
@@ -72,8 +73,8 @@ class Tile {
 
   __device__ Tile(const Pass& pass, Shared& shared) : pass_(pass), s_(shared) {}
 
-  /// Takes the next tile; false where there is none left. Numbers come from a counter and not from
-  /// blockIdx, so that all tiles below have started.
+  /// Takes the next tile; returns false if none is left. Numbers come from a counter, not from
+  /// blockIdx, so all tiles below have started.
   __device__ bool take() {
     const std::uint32_t count = pairs_to_sort(pass_.count, pass_.capacity);
     if (threadIdx.x == 0) s_.number = atomicAdd(pass_.next_tile, 1u);
@@ -85,7 +86,8 @@ class Tile {
     return true;
   }
 
-  /// Beyond the end stand keys with the greatest digit: they come last, and are not written.
+  /// Loads the tile. Beyond the end, keys have the largest digit: they come last and are not
+  /// written.
   __device__ void load() {
     if constexpr (kFrom == Form::pairs) {
       load_pairs();
@@ -95,7 +97,8 @@ class Tile {
     }
   }
 
-  /// How many keys with the same digit stand before each key in its warp; counts them, too.
+  /// Ranks each key: how many keys with the same digit come before it in its warp. Also counts
+  /// them.
   __device__ void rank_in_warps() {
     std::uint32_t(&counts)[kOwners] = s_.counts[warp_of_thread()];
     for (std::uint32_t i = lane_of_thread(); i < kOwners; i += kWarpThreads) counts[i] = 0;
@@ -106,7 +109,8 @@ class Tile {
     __syncthreads();
   }
 
-  /// From counts of a warp to places in the tile; owners publish their tile's counts on the way.
+  /// Turns ranks in a warp into ranks in the tile; owners publish their tile's counts as soon as
+  /// possible.
   __device__ void rank_in_tile() {
     std::uint32_t counts = 0;
     if (is_owner()) {
@@ -124,7 +128,7 @@ class Tile {
       const std::uint32_t digit = digit_of(keys_[item]);
       add_to_rank(item, s_.counts[warp_of_thread()][digit / 2] >> half(digit) & 0xffff);
     }
-    __syncthreads();  // the ordered keys lie where the counts are
+    __syncthreads();  // the ordered keys will overwrite the counts
   }
 
   __device__ void order() {
@@ -136,7 +140,7 @@ class Tile {
     for (int item = 0; item < kItems; ++item) s_.values[rank(item)] = values_[item];
   }
 
-  /// Finds where each digit of this tile goes: adds what stands in the tiles below.
+  /// Finds where each digit of this tile goes: adds the counts of the tiles below.
   __device__ void look_back() {
     if (is_owner() && number_ != 0) {
       const std::uint64_t below =
@@ -154,7 +158,7 @@ class Tile {
   }
 
  private:
-  /// A warp's items are neighbours, so warps and their items follow the order of the input.
+  /// The items of a warp are neighbours, so warps and their items follow the order of the input.
   __device__ static std::uint32_t first_of_warp() {
     return warp_of_thread() * kItems * kWarpThreads;
   }
@@ -180,8 +184,8 @@ class Tile {
       keys_[item] = i < left ? mine[i] : 0xffffffffu;
     }
   }
-  /// Values of arrays wait in shared memory, in the order of the input, until keys have places.
-  /// They come while keys are ranked, four at a time; the last three at most by themselves.
+  /// Copies values to shared memory, in the order of the input, while keys are ranked. Four at a
+  /// time; up to three at the end one by one.
   __device__ void fetch_values() {
 #pragma unroll
     for (int k = 0; k < kItems / 4; ++k) {
@@ -196,7 +200,7 @@ class Tile {
     }
     __pipeline_commit();
   }
-  /// A warp reads only what its own lanes fetched.
+  /// Loads the values into registers. A warp reads only what its own lanes fetched.
   __device__ void collect_values() {
     __pipeline_wait_prior(0);
     __syncwarp();
@@ -204,11 +208,11 @@ class Tile {
     for (int item = 0; item < kItems; ++item) {
       values_[item] = s_.values[first_of_warp() + item * kWarpThreads + lane_of_thread()];
     }
-    __syncthreads();  // all have read before the first writes
+    __syncthreads();  // all must read before the first writes
   }
 
-  /// Keys with the same digit lie side by side, here and in the output. Without a question after
-  /// each item in a full tile, whose reads then overlap.
+  /// Writes the items. Keys with the same digit are side by side, here and in the output. A full
+  /// tile needs no branch after each item, so its reads overlap.
   template <bool kFull>
   __device__ void write_items() const {
 #pragma unroll
@@ -228,7 +232,7 @@ class Tile {
   __device__ std::uint32_t digit_of(std::uint32_t key) const {
     return key >> pass_.digit.shift & ((1u << pass_.digit.width) - 1);
   }
-  /// Which half of a word counts a digit.
+  /// Returns the shift of the half word that counts a digit.
   __device__ static std::uint32_t half(std::uint32_t digit) { return digit % 2 * 16; }
   __device__ std::uint32_t rank(int item) const {
     return ranks_[item / 2] >> item % 2 * 16 & 0xffff;
@@ -253,7 +257,7 @@ class Tile {
       const std::uint32_t added = up_to_here << half(digits[k]);
       std::uint32_t* const count = &counts[digits[k] / 2];
       if (lane_of_thread() == leader(peers[k])) before[k] = atomicAdd(count, added);
-      __syncwarp();  // two leaders may share a word; the items count in their order
+      __syncwarp();  // two leaders may share a word, and items must count in their order
       add_to_rank(first + k, up_to_here - 1);
     }
 #pragma unroll
@@ -264,10 +268,10 @@ class Tile {
     forget(ranks_[first / 2]);
   }
 
-  /// The last lane with a digit: has counted them all.
+  /// Returns the last lane with a digit, which has counted all of them.
   __device__ static int leader(unsigned peers) { return kWarpThreads - 1 - __clz(peers); }
 
-  /// Look-back: an owner's word of this tile.
+  /// Returns an owner's look-back word of this tile.
   __device__ std::uint64_t* word() const {
     return pass_.words + std::size_t{number_} * kOwners + threadIdx.x;
   }
@@ -276,8 +280,8 @@ class Tile {
     look_back::write(word(), state | counts);
   }
 
-  /// `start`: where the even digit begins in the tile. A warp's counts become the places of its
-  /// first keys; offsets become right for a tile with nothing below it.
+  /// Turns a warp's counts into the places of its first keys. `start` is where the even digit
+  /// begins in the tile. Sets the offsets as if no tile were below.
   __device__ void place_digits(std::uint32_t start) {
     const std::uint32_t digit = 2 * threadIdx.x;
     const std::uint32_t even_start = pass_.starts[digit];
@@ -296,8 +300,8 @@ class Tile {
   const Pass& pass_;
   Shared& s_;
   std::uint32_t number_;
-  std::uint32_t first_;  // item of the input
-  std::uint32_t here_;   // items; kSize but in the last tile
+  std::uint32_t first_;  // first item of the tile
+  std::uint32_t here_;   // items of the tile; kSize except in the last one
   std::uint32_t keys_[kItems];
   std::uint32_t values_[kItems];
   std::uint32_t ranks_[kItems / 2] = {};  // two in a word, to save registers

@@ -8,13 +8,15 @@
 
 namespace octocell::cuda_custom {
 
-/// All bits set; handed to kernels, since the compiler must not know it. See peers_by_two_bits().
+/// All bits set; passed to kernels, because the compiler must not know the value. See
+/// peers_by_two_bits().
 constexpr std::uint32_t kOnes = 0xffffffffu;
 
-/// Those of `peers` that vote as this lane does on two bits: whether `one` is zero, and `other`.
-/// In PTX, since ranking is bound by the unit for integers and logic: from CUDA C++ come seven
-/// instructions a bit, all for that unit. Here are three and a half, one of which, the complement
-/// as x * -1 - 1, is for the unit that multiplies; with a known factor it would not be.
+/// Returns those of `peers` that agree with this lane on two bits: whether `one` is zero, and
+/// whether `other` is. It is written in PTX because ranking is limited by the unit for integers and
+/// logic. CUDA C++ gives seven instructions a bit, all for that unit. This needs three and a half;
+/// one of them, the complement as x * -1 - 1, runs on the unit that multiplies. With a factor known
+/// to the compiler it would not.
 __device__ inline unsigned peers_by_two_bits(unsigned peers, std::uint32_t one, std::uint32_t other,
                                              std::uint32_t ones) {
   asm volatile(
@@ -32,8 +34,8 @@ __device__ inline unsigned peers_by_two_bits(unsigned peers, std::uint32_t one, 
   return peers;
 }
 
-/// The lanes whose digit is the same, for several digits at a time, so that the votes of one do not
-/// wait for those of another.
+/// Finds the lanes with the same digit, for several digits at a time, so that the votes of one do
+/// not wait for those of another.
 template <int kDigitBits, int kAbreast>
 __device__ void find_peers(const std::uint32_t (&digits)[kAbreast], std::uint32_t ones,
                            unsigned (&peers)[kAbreast]) {

@@ -16,7 +16,7 @@ struct VariantCode {
   void (*launch)(const Shape& shape, const Call& call);
 };
 
-/// By the order of Variant.
+/// In the order of Variant.
 constexpr VariantCode kVariants[] = {
     {one_bit_split::shape, one_bit_split::scratch_bytes, one_bit_split::launch},
     {digit_passes::shape, digit_passes::scratch_bytes, digit_passes::launch},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stable radix sort of 32-bit keys with 32-bit values, on the device. Four ways, from the simplest
-// to the fastest: 1_one_bit_split.cu to 4_onesweep.cu.
+// Stable radix sort of 32-bit keys with 32-bit values, on the device. There are four variants, from
+// the simplest to the fastest: 1_one_bit_split.cu to 4_onesweep.cu.
 #pragma once
 
 #include <cuda_runtime_api.h>
@@ -17,32 +17,33 @@ struct Job;
 
 enum class Variant : std::uint8_t { one_bit_split, digit_passes, reduce_then_scan, onesweep };
 
-/// Two device arrays that are sorted together: one of the two halves of a double buffer. Made by
-/// arrays_in(), since both lie in one piece of memory.
+/// Two device arrays that are sorted together: one half of a double buffer. Made by arrays_in(),
+/// because both are in one piece of memory.
 struct KeysAndValues {
   std::uint32_t* keys;
   std::uint32_t* values;
 };
 
-/// Memory of a side: the keys, then the values. In one piece, so that between two passes a key may
-/// stand there beside its value; each array in steps of 16 bytes, so that values are read by four.
+/// Returns the words of one side: the keys, then the values. They are in one piece so that between
+/// two passes a key can be stored beside its value. Each array is a multiple of 16 bytes, so that
+/// values can be read four at a time.
 constexpr std::uint64_t words_of_side(std::uint64_t capacity) { return (capacity + 3) / 4 * 8; }
 
-/// The arrays in `memory` of words_of_side(capacity) words, aligned as cudaMalloc does.
+/// Returns the arrays in `memory` of words_of_side(capacity) words, aligned as by cudaMalloc.
 constexpr KeysAndValues arrays_in(std::uint32_t* memory, std::uint64_t capacity) {
   return {memory, memory + words_of_side(capacity) / 2};
 }
 
 class RadixSort {
  public:
-  /// Sorts up to `capacity` pairs (below 2^31) by keys below 2^bits, 0 <= bits <= 32, on the device
-  /// that is current. Throws LimitError, or Error for bits that no key has.
+  /// Prepares to sort up to `capacity` pairs (below 2^31) by keys below 2^bits, 0 <= bits <= 32, on
+  /// the current device. Throws LimitError for too many pairs, and Error for bits that no key has.
   RadixSort(Variant variant, std::uint64_t capacity, int bits);
 
-  /// What launch() needs at `scratch`, aligned as cudaMalloc does.
+  /// Returns how many bytes launch() needs at `scratch`, aligned as by cudaMalloc.
   [[nodiscard]] std::uint64_t scratch_bytes() const;
 
-  /// Where launch() leaves the result: 0 for front, 1 for back.
+  /// Returns where launch() leaves the result: 0 for front, 1 for back.
   [[nodiscard]] int result_side() const { return plan_.passes % 2; }
 
   /// Queues the sort of min(*count, capacity) pairs; `count` is on the device. Neither waits nor
@@ -50,10 +51,11 @@ class RadixSort {
   void launch(KeysAndValues front, KeysAndValues back, const std::uint64_t* count, void* scratch,
               cudaStream_t stream) const;
 
-  /// launch() in parts, for a kernel that makes the keys and counts their digits while it has them
-  /// (digit_histograms.cuh): the first words of `scratch` are zero, that kernel runs, then come the
-  /// passes. Variant onesweep, and keys of one bit or more. `out_of_order`, on the device: zero,
-  /// and the keys come in order; they are only taken to the side where the result is looked for.
+  /// launch() in parts, for a kernel that makes the keys and counts their digits at the same time
+  /// (digit_histograms.cuh). Clear the first words of `scratch`, run that kernel, then launch the
+  /// passes. Needs variant onesweep and keys of at least one bit. If `out_of_order`, on the device,
+  /// is zero, the keys are already in order; they are only copied to the side where the result is
+  /// expected.
   [[nodiscard]] int passes() const { return plan_.passes; }
   [[nodiscard]] std::uint64_t zeroed_words() const;
   [[nodiscard]] digit_histograms::Job histograms(const std::uint64_t* count, void* scratch) const;
@@ -64,7 +66,7 @@ class RadixSort {
   Variant variant_;
   std::uint32_t capacity_;
   DigitPlan plan_;
-  int tile_ = 0;  // which of the variant's tile sizes, where it has several
+  int tile_ = 0;  // index into the variant's tile sizes, if it has several
 };
 
 }  // namespace octocell::cuda_custom

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each variant's file offers to radix_sort.cu.
+// What the file of each variant offers to radix_sort.cu.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,14 @@
 
 namespace octocell::cuda_custom {
 
-/// Fixed when a RadixSort is made.
+/// What is fixed when a RadixSort is made.
 struct Shape {
   std::uint32_t capacity = 0;
   DigitPlan plan;
   int tile = 0;
 };
 
-/// Handed to one launch.
+/// The arguments of one launch.
 struct Call {
   KeysAndValues front;
   KeysAndValues back;
@@ -50,7 +50,7 @@ namespace onesweep {
 Shape shape(std::uint32_t capacity, int bits);
 std::uint64_t scratch_bytes(const Shape& shape);
 void launch(const Shape& shape, const Call& call);
-// launch() in parts: scratch's first bytes are cleared, digits are counted, the passes follow.
+// launch() in parts: clear the first bytes of scratch, count digits, run the passes.
 std::uint64_t zeroed_bytes(const Shape& shape);
 digit_histograms::Job histograms_of(const Shape& shape, const Call& call);
 void launch_passes(const Shape& shape, const Call& call);
