@@ -33,7 +33,7 @@ class ThrustBackend final : public GridPairFinder {
     w_.allocate();
   }
 
-  /// Nothing stands between runs: every find_pairs() starts from the spheres.
+  /// Nothing is kept between runs: every find_pairs() starts from the spheres.
   void update(SceneView scene) override {
     if (scene.spheres.size() > room_) return upload(w_.plan, scene);
     w_.scene = scene;
@@ -65,7 +65,7 @@ class ThrustBackend final : public GridPairFinder {
     return pairs;
   }
 
-  /// As they lie there, if that is the host's memory.
+  /// Sorts and returns the pairs in place, if they are in the host's memory.
   std::span<const Pair> sorted_pairs() override {
     if constexpr (!std::is_same_v<System, HostSystem>) {
       return PairFinder::sorted_pairs();
@@ -75,7 +75,7 @@ class ThrustBackend final : public GridPairFinder {
     }
   }
 
-  /// What Workspace::allocate() makes room for, and the copy in which Thrust sorts.
+  /// Returns what Workspace::allocate() reserves, with the copy in which Thrust sorts.
   [[nodiscard]] HostBytes host_bytes(const Plan& plan, SceneView scene) const override {
     if (!std::is_same_v<System, HostSystem>) return {};
     constexpr double kEntry = sizeof(Object) + sizeof(Sphere) + sizeof(Found);
@@ -116,8 +116,8 @@ class ThrustBackend final : public GridPairFinder {
   }
 
   Workspace<System> w_;
-  std::uint64_t room_ = 0;  // spheres that there is room for
-  int threads_ = 0;         // of the last run
+  std::uint64_t room_ = 0;  // spheres that the arrays have room for
+  int threads_ = 0;         // used by the last run
 };
 
 }  // namespace

@@ -10,8 +10,8 @@
 
 namespace octocell::on_thrust {
 
-/// Which of Thrust's host systems was compiled in: OpenMP, or (for ThreadSanitizer, which does not
-/// know OpenMP's barriers) plain C++.
+/// Says which of Thrust's host systems was compiled in: OpenMP, or plain C++ (for ThreadSanitizer,
+/// which does not understand OpenMP's barriers).
 #ifdef OCTOCELL_THRUST_OPENMP
 inline constexpr std::string_view kHostSummary = "Thrust's algorithms on CPU threads (OpenMP)";
 inline constexpr bool kHostThreaded = true;
@@ -21,13 +21,14 @@ inline constexpr bool kHostThreaded = false;
 #endif
 inline constexpr std::string_view kCudaSummary = "Thrust's algorithms on the GPU (CUDA)";
 
-/// The pipeline in Thrust's words, on this machine's threads.
+/// Makes the backend that runs Thrust's algorithms on this machine's threads.
 std::unique_ptr<PairFinder> make_host_backend();
 
-/// The same on the first CUDA device. Throws Error where why_no_cuda() says something.
+/// Makes the same on the first CUDA device. Throws Error with the reason of why_no_cuda(), if there
+/// is one.
 std::unique_ptr<PairFinder> make_cuda_backend();
 
-/// Nothing if make_cuda_backend() works here, else why not. Looks once.
+/// Returns why make_cuda_backend() cannot work here; none if it can. Looks only once.
 std::optional<std::string> why_no_cuda();
 
 }  // namespace octocell::on_thrust

@@ -7,7 +7,7 @@
 
 namespace octocell::on_thrust {
 
-/// Kept out of line: CUDA's algorithms unroll their loops, and this is long (minutes of nvcc).
+/// Not inlined: CUDA's algorithms unroll their loops, and this is long (minutes of nvcc).
 __attribute__((noinline)) OCTOCELL_HD bool overlap(const Sphere& a, const Sphere& b) {
   return overlap_exact(a, b);
 }

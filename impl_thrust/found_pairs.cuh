@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stage 5's second half, whatever the method: pairs that work items find go where a scan says.
+// The second half of stage 5, for any method: a scan says where the pairs of each work item go.
 #pragma once
 
 #include <thrust/for_each.h>
@@ -15,8 +15,8 @@
 
 namespace octocell::on_thrust {
 
-// A `Test` says which pairs a work item finds: test.run(k, on_sure, on_uncertain) calls one of the
-// two with each, the same ones in the same order however often it is asked.
+// A `Test` finds the pairs of a work item: test.run(k, on_sure, on_uncertain) calls one of the two
+// functions for each pair, with the same pairs in the same order every time.
 
 template <typename Test>
 struct CountFound {
@@ -24,7 +24,7 @@ struct CountFound {
   std::uint64_t entries;
   OCTOCELL_HD Found operator()(std::uint64_t k) const {
     Found found = {0, 0};
-    if (k == entries) return found;  // one past the last: the sum of all
+    if (k == entries) return found;  // one past the last: the scan puts the total there
     test.run(
         k, [&](Pair) { ++found.sure; }, [&](Pair) { ++found.uncertain_pairs; });
     return found;
@@ -41,8 +41,8 @@ template <typename Test>
 struct WriteFound {
   Test test;
   const Found* found_before;
-  Pair* pairs;            // none: no room
-  Pair* uncertain_pairs;  // likewise
+  Pair* pairs;            // null: no room
+  Pair* uncertain_pairs;  // null: no room
   OCTOCELL_HD void operator()(std::uint64_t k) const {
     Found at = found_before[k];
     const Found end = found_before[k + 1];
@@ -61,7 +61,7 @@ struct WriteFound {
   }
 };
 
-/// As PairDigest, which the device does not know how to merge.
+/// Like PairDigest, whose merge() does not run on the device.
 struct Digest {
   std::uint64_t count;
   std::uint64_t checksum;
@@ -73,7 +73,7 @@ struct DigestOfBoth {
   }
 };
 
-/// A count_only plan has no room for uncertain pairs: they are decided where they are found.
+/// For a count_only plan, which cannot store uncertain pairs: decides them where they are found.
 template <typename Test>
 struct DigestFound {
   Test test;
@@ -95,7 +95,8 @@ struct DigestFound {
   }
 };
 
-/// One work item an entry: counted, placed, written; or summed up, in a count_only plan.
+/// Runs one work item for each entry: counts, places and writes its pairs; or sums them up, in a
+/// count_only plan.
 template <typename System, typename Test>
 void count_scan_write(Workspace<System>& w, const Test& test) {
   const std::uint64_t entries = w.entries();

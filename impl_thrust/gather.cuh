@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The spheres in the order of their entries, so that what is tested together lies together.
+// Puts the spheres in the order of their entries, so that spheres tested together are close in
+// memory.
 #pragma once
 
 #include <thrust/transform.h>
@@ -9,7 +10,7 @@
 
 namespace octocell::on_thrust {
 
-/// The sphere of an entry, with the radius that the test of pairs uses.
+/// Returns the sphere of an entry, with the radius that the pair test uses.
 struct Gather {
   const Sphere* spheres;
   PairTest test;

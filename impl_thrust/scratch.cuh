@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Memory: the plan's arrays, and what Thrust's algorithms need in passing.
+// Memory for the plan's arrays and for the temporary needs of Thrust's algorithms.
 #pragma once
 
 #include <cstddef>
@@ -20,8 +20,8 @@ struct HostMemory {
   static void release(char* memory, std::size_t) { ::operator delete(memory, kAlignment); }
 };
 
-/// The allocator that Thrust is handed. What it gives back is kept for the next request of that
-/// size, so that a find_pairs() like the one before allocates nothing.
+/// The allocator that Thrust uses. It keeps returned memory for the next request of that size, so a
+/// find_pairs() like the last one allocates nothing.
 template <typename Memory>
 class Scratch {
  public:
@@ -33,7 +33,8 @@ class Scratch {
   ~Scratch() { release(); }
 
   char* allocate(std::ptrdiff_t bytes) {
-    const std::scoped_lock lock(mutex_);  // OpenMP's merge sort asks from several threads at once
+    const std::scoped_lock lock(mutex_);  // OpenMP's merge sort allocates from several threads at
+                                          // once
     const std::size_t size = (static_cast<std::size_t>(bytes) / kGrain + 1) * kGrain;
     if (const auto kept = free_.lower_bound(size); kept != free_.end() && kept->first <= 2 * size) {
       char* memory = kept->second;
@@ -54,14 +55,14 @@ class Scratch {
     used_.erase(block);
   }
 
-  /// Gives back what is not in use.
+  /// Frees the memory that is not in use.
   void release() {
     const std::scoped_lock lock(mutex_);
     for (const auto& [size, memory] : free_) Memory::release(memory, size);
     free_.clear();
   }
 
-  /// Requests so far that had to be passed on.
+  /// Returns how many requests so far needed new memory.
   [[nodiscard]] std::uint64_t allocations() const { return allocations_; }
 
  private:

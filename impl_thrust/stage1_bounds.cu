@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stage 1, bounds: does the scene still look as the plan takes for granted?
+// Stage 1, bounds: are the plan's assumptions about the scene still true?
 // Reads spheres. Writes a violation, or nothing.
 // Cost: one pass, 16 bytes a sphere.
 // Idea: one transform_reduce, from spheres to the extremes that the plan's proofs rest on.
@@ -78,7 +78,7 @@ bool on_planned_lattice(Workspace<System>& w) {
                         OnLattice{lattice});
 }
 
-/// What the stages that will not run would have left behind.
+/// Leaves the results that the stages would have left if they ran.
 template <typename System>
 void leave_nothing(Workspace<System>& w) {
   w.id_count = w.cell_count = 0;

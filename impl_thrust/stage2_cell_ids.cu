@@ -2,8 +2,9 @@
 // Stage 2, cell_ids: in which cells does each sphere lie?
 // Reads spheres, plan. Writes one home id a sphere, then all phantom ids; control bits.
 // Cost: the cells of a sphere are computed twice, and 8 bytes an id.
-// Idea: count, scan, write. Each sphere counts its phantoms, a scan gives each its place behind the
-//       homes, and a second pass writes them there: no atomics, and the same order every time.
+// Idea: count, scan, write. Each sphere counts its phantoms, a scan finds their places behind the
+//       homes, and a second pass writes them there. So there are no atomics, and the order is
+//       always the same.
 #include <thrust/for_each.h>
 #include <thrust/logical.h>
 #include <thrust/scan.h>
@@ -21,7 +22,7 @@ namespace {
 /// Rules lowest_cell and chapter32: the cells that the box p +- extent meets.
 struct GridCells {
   Grid grid;
-  bool scaled;  // extent is r, or chapter32's
+  bool scaled;  // extent is chapter32's, not r
 
   [[nodiscard]] OCTOCELL_HD CellRange range(const Sphere& s) const {
     return cells_met(grid, s, scaled ? chapter32::extent(s.r) : s.r);
@@ -32,7 +33,7 @@ struct GridCells {
   [[nodiscard]] OCTOCELL_HD std::uint64_t phantom_count(const Sphere& s) const {
     return phantoms_in(range(s));
   }
-  /// put_home(id, object), then put_phantom(id, object) for each phantom.
+  /// Calls put_home(id, object), then put_phantom(id, object) for each phantom.
   template <typename PutHome, typename PutPhantom>
   OCTOCELL_HD void list(const Sphere& s, std::uint32_t sphere, PutHome put_home,
                         PutPhantom put_phantom) const {
@@ -51,7 +52,7 @@ struct GridCells {
   }
 };
 
-/// Rule as_written, by the course text's own grid.
+/// Rule as_written has its own grid.
 struct TextCells {
   float side;
 
@@ -75,7 +76,8 @@ struct CountPhantoms {
   const Sphere* spheres;
   std::uint64_t sphere_count;
   OCTOCELL_HD std::uint64_t operator()(std::uint64_t i) const {
-    return i < sphere_count ? cells.phantom_count(spheres[i]) : 0;  // the last one: their sum
+    return i < sphere_count ? cells.phantom_count(spheres[i]) : 0;  // the scan puts their sum into
+                                                                    // the last one
   }
 };
 

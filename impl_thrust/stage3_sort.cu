@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Stage 3, sort: bring equal cell ids together.
 // Reads and writes cell ids with their objects, grouped by cell, homes before phantoms.
-// Cost: all 32 bits of the key, whatever the grid uses; Thrust takes no number of bits.
-// Idea: stable_sort_by_key, since only stability keeps homes first; sort_by_key promises none.
-//       Ids of half_shell may come in order (a scene stored row by row): is_sorted proves it.
+// Cost: all 32 bits of the key, whatever the grid uses; Thrust does not accept a number of bits.
+// Idea: stable_sort_by_key, because only stability keeps homes first, and sort_by_key does not
+//       promise it. Ids of half_shell may already be in order (a scene stored row by row):
+//       is_sorted proves it.
 #include <thrust/sort.h>
 
 #include <cstdint>

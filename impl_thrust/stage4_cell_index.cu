@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Stage 4, cell_index: where does each cell begin, and how many homes and phantoms has it?
-// Reads sorted cell ids and objects. Writes one entry a cell in which a pair can be tested, and for
-//       each id the end of its cell.
+// Stage 4, cell_index: where does each cell begin, and how many homes and phantoms does it have?
+// Reads sorted cell ids and objects. Writes one entry for each cell in which a pair can be tested,
+//       and for each id the end of its cell.
 // Cost: 20 bytes an id.
-// Idea: copy_if keeps the positions where the id changes; homes come first, so their number is
-//       found by binary search; a running maximum carries each cell's end to its members.
+// Idea: copy_if keeps the positions where the id changes. Homes come first, so their number is
+//       found by binary search. A running maximum passes each cell's end to its members.
 #include <thrust/copy.h>
 #include <thrust/fill.h>
 #include <thrust/for_each.h>
@@ -21,7 +21,7 @@
 namespace octocell::on_thrust {
 namespace {
 
-/// Pairs that the rule looks at in a cell; zero: the cell is not kept.
+/// Returns how many pairs the rule tests in a cell; if zero, the cell is left out.
 OCTOCELL_HD std::uint64_t candidates_in(Rule rule, const CellEntry& cell) {
   const std::uint64_t homes = cell.homes;
   const std::uint64_t all = homes + cell.phantoms;
@@ -48,7 +48,7 @@ struct CellAt {
                                   ? begins[c + 1]
                                   : static_cast<std::uint32_t>(OCTOCELL_FAULT(
                                         thrust_last_cell_short, id_count - 1, id_count));
-    std::uint32_t low = begin;  // homes lie below it
+    std::uint32_t low = begin;  // homes are below it
     std::uint32_t high = end;   // phantoms from here on
     while (low < high) {
       const std::uint32_t middle = low + (high - low) / 2;
@@ -92,7 +92,8 @@ struct WriteEnd {
   }
 };
 
-/// Entries of a cell that was not kept get an end at or before them: nothing to test.
+/// Passes ends to members. Entries of a cell that was left out get an end that is not behind them,
+/// so nothing is tested.
 template <typename System>
 void spread_ends(Workspace<System>& w) {
   std::uint32_t* const ends = w.cell_end.data();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Stage 5, pair_tests: which spheres that share a cell overlap?
-// Reads spheres, sorted objects, cell index. Writes sure pairs, and uncertain pairs for stage 6.
-// Cost: 16 bytes gathered an id; each candidate is looked at twice where its row finds something.
-// Idea: count, scan, write. One work item an entry meets the entries after it in its cell; what it
-//       finds is counted, a scan gives each row its place, and rows that found something test again
-//       and write.
+// Reads spheres, sorted objects, cell index. Writes certain pairs, and uncertain pairs for stage 6.
+// Cost: 16 bytes gathered an id; each candidate is tested twice if its row finds something.
+// Idea: count, scan, write. There is one work item for each entry, which is tested against the
+//       entries behind it in its cell. The pairs found are counted, a scan finds each row's place,
+//       and rows that found something test again and write.
 #include <thrust/sequence.h>
 
 #include <cstdint>
@@ -19,12 +19,13 @@
 namespace octocell::on_thrust {
 namespace {
 
-/// Which pairs that meet in a cell count there. The branch on the rule is the same for all.
+/// Decides which pairs that meet in a cell count there. All work items take the same branch on the
+/// rule.
 struct RuleTest {
   bool every_pair;  // brute_force
   Rule rule;
   const chapter32::ControlBits* control_bits;
-  float side;  // of as_written's cells
+  float side;  // cell side of rule as_written
 
   [[nodiscard]] OCTOCELL_HD bool rows_are_homes() const {
     return !every_pair && rule != Rule::lowest_cell;
@@ -33,29 +34,31 @@ struct RuleTest {
   [[nodiscard]] OCTOCELL_HD bool counts_here(Object a, const Sphere& p, Object b,
                                              const Sphere& q) const {
     if (every_pair) return true;
-    // The cell must be the lowest that both meet: on each axis, the lowest of one of them.
-    // (Dittrich and Seeger, ICDE 2000, reference point method.)
+    // The cell must be the lowest that both spheres meet; on each axis, it is the lowest cell of
+    // one of them (Dittrich and Seeger, ICDE 2000, reference point method).
     if (rule == Rule::lowest_cell)
       return OCTOCELL_FAULT(thrust_lowest_cell_rule_dropped, true,
                             ((a | b) & kLowestMask) == kLowestMask);
-    if (rule == Rule::chapter32) {  // a row is a home, so its home's type is the cell's
+    if (rule == Rule::chapter32) {  // a row is a home, so the type of its home is the type of the
+                                    // cell
       const chapter32::ControlBits row = control_bits[a & kIdMask];
       return chapter32::tests_pair_here(row & 7U, row, control_bits[b & kIdMask]);
     }
-    // The course text: home with home; home with phantom if the phantom's home id is the larger.
+    // As written in the text: two homes, or a home and a phantom if the phantom's home id is
+    // larger.
     if ((b & kPhantom) == 0) return true;
     return as_written::hash(as_written::home(q, side)) >
            as_written::hash(as_written::home(p, side));
   }
 };
 
-/// One row: entry k against all that follow it in its cell.
+/// Tests one row: entry k against all that follow it in its cell.
 struct RowTest {
   const Sphere* members;  // with stored radii
   const Object* objects;
-  const std::uint32_t* cell_end;  // none: one cell of all entries
+  const std::uint32_t* cell_end;  // null: one cell holds all entries
   std::uint64_t entries;
-  const Flags* flags;  // none: every pair may collide
+  const Flags* flags;  // null: every pair may collide
   PairTest test;
   RuleTest rule;
 

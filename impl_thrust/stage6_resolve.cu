@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Stage 6, resolve: decide the uncertain pairs.
 // Reads uncertain pairs, spheres. Writes pairs.
-// Cost: about 10 ns a pair on one thread; a few in a million are uncertain, but all pairs of a
-//       tangent lattice. Where they may not all fit, they are decided once more, to be counted.
+// Cost: about 10 ns a pair on one thread. Few pairs in a million are uncertain, but all pairs of a
+//       lattice of tangent spheres are. If not all may fit, they are first decided just to count
+//       them.
 // Idea: float64 with an error bound, error-free transformations, integers: the first that is
-//       certain answers; copy_if keeps what it confirms, behind the sure pairs.
+//       certain decides. copy_if keeps the pairs that overlap, behind the certain ones.
 #include <thrust/copy.h>
 #include <thrust/count.h>
 
@@ -17,7 +18,7 @@ namespace octocell::on_thrust {
 
 template <typename System>
 void resolve(Workspace<System>& w) {
-  if (w.plan.count_only) return;  // stage 5 decided what it met
+  if (w.plan.count_only) return;  // stage 5 has already decided them
   if (w.uncertain_count == 0 || !w.uncertain_pairs_complete()) return;
   const Pair* const uncertain_pairs = w.uncertain_pairs.data();
   const Pair* const end = uncertain_pairs + w.uncertain_count;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The six stages of impl_thrust, and what they hand on.
+// The six stages of impl_thrust, and the data that they pass on.
 #pragma once
 
 #include <thrust/iterator/counting_iterator.h>
@@ -16,7 +16,7 @@
 
 namespace octocell::on_thrust {
 
-/// Positions in the plan's arrays, one after another: what most algorithms here run over.
+/// Counts 0, 1, 2, ...: most algorithms here run over positions in the plan's arrays.
 using Positions = thrust::counting_iterator<std::uint64_t>;
 
 /// How many pairs one entry finds; after the scan, where they go.
@@ -25,14 +25,15 @@ struct Found {
   std::uint64_t uncertain_pairs;
 };
 
-/// Method half_shell: the columns of one y and one z of a level that hold spheres.
+/// Method half_shell: the spheres of a level with the same y and z cell, a row of columns along x.
 struct Row {
   std::uint32_t first_id;  // of its column 0
-  std::uint32_t begin;     // its spheres end where the next row's begin
+  std::uint32_t begin;     // index of its first sphere; its spheres end where those of the next row
+                           // begin
 };
 
-/// Everything the stages share. Sized by the plan in allocate(); the stages allocate nothing but
-/// Thrust's scratch memory, which is kept.
+/// All data that the stages share. allocate() reserves it as the plan says. The stages allocate
+/// only Thrust's scratch memory, which is kept.
 template <typename System>
 struct Workspace {
   template <typename T>
@@ -40,10 +41,10 @@ struct Workspace {
 
   System system;
   Plan plan;
-  SceneView scene;                  // on the host: words about a sphere are made of it
-  const Sphere* spheres = nullptr;  // the same, where the system computes
-  const Levels* levels = nullptr;   // the plan's, there
-  const Flags* flags = nullptr;     // none: every pair may collide
+  SceneView scene;                  // on the host: messages about a sphere are made from it
+  const Sphere* spheres = nullptr;  // in the memory where the system computes
+  const Levels* levels = nullptr;   // the plan's, in the same memory
+  const Flags* flags = nullptr;     // null: every pair may collide
 
   Array<std::uint64_t> phantoms_before;        // [spheres + 1]
   Array<std::uint32_t> cell_ids;               // [plan.capacity.ids]
@@ -51,28 +52,28 @@ struct Workspace {
   Array<chapter32::ControlBits> control_bits;  // [spheres], rule chapter32 only
   Array<std::uint32_t> cell_begins;            // [plan.capacity.ids]
   Array<CellEntry> cells;                      // [plan.capacity.cells]
-  Array<std::uint32_t> cell_end;               // [plan.capacity.ids] of the cell an entry lies in
-  Array<Sphere> members;                       // [entries] each entry's sphere, with stored radius
-  Array<Row> rows;                             // [plan.capacity.cells + 1], half_shell only
-  Array<Found> found;                          // [entries + 1]
-  Array<Pair> uncertain_pairs;                 // [plan.capacity.uncertain_pairs]
-  Array<Pair> pairs;                           // [plan.capacity.pairs]
+  Array<std::uint32_t> cell_end;  // [plan.capacity.ids] of the cell that holds the entry
+  Array<Sphere> members;          // [entries] each entry's sphere, with its stored radius
+  Array<Row> rows;                // [plan.capacity.cells + 1], half_shell only
+  Array<Found> found;             // [entries + 1]
+  Array<Pair> uncertain_pairs;    // [plan.capacity.uncertain_pairs]
+  Array<Pair> pairs;              // [plan.capacity.pairs]
 
-  // What was met; past a capacity it is what is needed, and the array holds nothing.
+  // What was counted. A count above its capacity says what is needed; the array then holds nothing.
   std::uint64_t id_count = 0;
   std::uint64_t cell_count = 0;
   std::uint64_t candidates = 0;
-  Skips used;  // of those that only the data can allow
+  Skips used;  // the skips, among those that depend on the data, that this run took
   std::uint64_t uncertain_count = 0;
   std::uint64_t sure_count = 0;
   std::uint64_t pair_count = 0;
-  std::uint64_t checksum = 0;  // of the pairs, in a count_only plan
+  std::uint64_t checksum = 0;  // of the pairs; only in a count_only plan
   std::optional<std::string> violation;
 
   [[nodiscard]] std::uint64_t sphere_count() const { return scene.spheres.size(); }
   [[nodiscard]] bool brute_force() const { return plan.method == Method::brute_force; }
   [[nodiscard]] bool half_shell() const { return plan.method == Method::half_shell; }
-  /// What stage 5 has one work item for each of: spheres, or ids.
+  /// Returns the number of work items of stage 5: spheres, or ids.
   [[nodiscard]] std::uint64_t entries() const { return brute_force() ? sphere_count() : id_count; }
 
   [[nodiscard]] bool ids_complete() const { return brute_force() || id_count <= plan.capacity.ids; }
@@ -80,7 +81,7 @@ struct Workspace {
     return uncertain_count <= plan.capacity.uncertain_pairs;
   }
   [[nodiscard]] bool pairs_complete() const { return pair_count <= plan.capacity.pairs; }
-  /// Whether later stages have something sound to work on.
+  /// Returns true if the results of the stages so far are valid and complete.
   [[nodiscard]] bool may_test_pairs() const {
     return !violation && ids_complete() && cell_count <= plan.capacity.cells &&
            candidates <= plan.candidate_limit;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The two systems that the stages run on: this machine's threads, and a CUDA device. A stage is
-// written once, for a `System` that has an execution policy, arrays, and a way to read an element.
+// The two systems that the stages run on: this machine's threads, and a CUDA device. Each stage is
+// written once, for a `System` with an execution policy, arrays, and a way to read an element.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ class HostSystem {
   using Array = Buffer<T>;
 
 #ifdef OCTOCELL_THRUST_OPENMP
-  /// Returns how many there are.
+  /// Returns how many threads there are.
   static int use_threads(int count) {
     const int threads = threads_to_be_had(count);
     omp_set_num_threads(threads);
@@ -44,10 +44,10 @@ class HostSystem {
   auto policy() { return thrust::cpp::par(scratch_); }
 #endif
 
-  /// The spheres as the stages see them: where they are.
+  /// Returns the spheres where they are: stages can read the host's memory.
   const Sphere* take(SceneView scene) { return scene.spheres.data(); }
   const Levels* take(const Levels& levels) { return &levels; }
-  /// The flags likewise; none: there are none.
+  /// Returns the flags; null if there are none.
   const Flags* take_flags(SceneView scene) {
     return scene.flags.empty() ? nullptr : scene.flags.data();
   }
@@ -67,8 +67,8 @@ class HostSystem {
 };
 
 #ifdef __CUDACC__
-/// The first CUDA device, one stream. Every algorithm has ended when it returns, so that the host's
-/// clock may mark the stages.
+/// The first CUDA device, with one stream. Every algorithm has ended when it returns, so the host's
+/// clock can mark the stages.
 class CudaSystem {
  public:
   template <typename T>
@@ -82,13 +82,14 @@ class CudaSystem {
   static int use_threads(int) { return 1; }
   auto policy() { return thrust::cuda::par(scratch_).on(stream_); }
 
-  /// A copy on the device.
+  /// Returns a copy on the device.
   const Sphere* take(SceneView scene) {
     spheres_.allocate(scene.spheres.size());
     copy(spheres_.data(), scene.spheres.data(), scene.spheres.size_bytes());
     return spheres_.data();
   }
-  /// Functors carry a pointer: a kilobyte of levels in each of them would be copied by each thread.
+  /// Function objects hold only a pointer: with a kilobyte of levels inside, each thread would copy
+  /// them.
   const Levels* take(const Levels& levels) {
     levels_.allocate(1);
     copy(levels_.data(), &levels, sizeof levels);

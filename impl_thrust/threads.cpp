@@ -11,7 +11,7 @@
 namespace octocell::on_thrust {
 namespace {
 
-/// All at once, for that is how they will be needed.
+/// Starts all threads at once, because that is how they will be needed.
 int try_threads(int count) {
   std::latch enough(1);
   std::vector<std::jthread> threads;
@@ -21,7 +21,7 @@ int try_threads(int count) {
       threads.emplace_back([&enough] { enough.wait(); });
     }
   } catch (const std::exception&) {
-    // The system gives no more.
+    // The system gives no more threads.
   }
   enough.count_down();
   return 1 + static_cast<int>(threads.size());
@@ -30,7 +30,7 @@ int try_threads(int count) {
 }  // namespace
 
 int threads_to_be_had(int count) {
-  static std::atomic<int> known = 1;  // OpenMP keeps the threads that it has got
+  static std::atomic<int> known = 1;  // OpenMP keeps the threads that it has started
   if (count > known) known = std::max(known.load(), try_threads(count));
   return std::min(count, known.load());
 }

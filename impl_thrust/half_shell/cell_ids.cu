@@ -2,8 +2,8 @@
 // Stage 2 of half_shell: in which column does each sphere's centre lie?
 // Reads spheres, levels. Writes one id a sphere.
 // Cost: 8 bytes an id, one cell a sphere.
-// Idea: two spheres that overlap lie in adjacent cells, so the centre's cell is all there is to
-//       know: nothing to count, nothing to scan.
+// Idea: two spheres that overlap lie in adjacent cells, so the cell of the centre is enough: there
+//       is nothing to count and nothing to scan.
 #include <thrust/sequence.h>
 #include <thrust/transform.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Stage 4 of half_shell: the spheres in the order of their columns, and where each row begins.
+// Stage 4 of half_shell: puts the spheres in the order of their columns, and finds the rows.
 // Reads sorted ids, spheres. Writes members in that order, rows; the number of candidates.
-// Cost: one sphere gathered each; its windows are found here once, and in stage 5 again.
-// Idea: a row's columns have consecutive ids, so copy_if keeps the positions where the row changes,
-//       and only rows that hold spheres are listed. A reduction over the windows tells how much
-//       there is to test before anything is.
+// Cost: one sphere gathered each; its windows are found here, and in stage 5 again.
+// Idea: the columns of a row have consecutive ids, so copy_if keeps the positions where the row
+//       changes, and only rows that hold spheres are listed. A reduction over the windows counts
+//       the candidates before any is tested.
 #include <thrust/copy.h>
 #include <thrust/fill.h>
 #include <thrust/functional.h>
@@ -19,7 +19,7 @@
 namespace octocell::on_thrust::half_shell {
 namespace {
 
-/// The id of column 0 of the row that an id lies in.
+/// Returns the id of column 0 of the row that holds `id`.
 OCTOCELL_HD std::uint32_t first_id_of_row(const Levels& levels, std::uint32_t id) {
   const Level& level = levels.level[level_of_id(levels, id)];
   return id - (id - level.first_id) % level.grid.stride_y;

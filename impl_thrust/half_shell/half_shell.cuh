@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Method half_shell, where it differs: one id a sphere, and partners looked for in adjacent cells.
+// The stages of method half_shell that differ: one id a sphere; partners are searched in adjacent
+// cells.
 #pragma once
 
 #include <cstdint>
@@ -8,26 +9,28 @@
 
 namespace octocell::on_thrust::half_shell {
 
-/// Stage 2: the id of each sphere's column.
+/// Stage 2: writes the id of each sphere's column.
 template <typename System>
 void cell_ids(Workspace<System>& w);
 
-/// Stage 4: the spheres in the order of their columns, where each row begins, the candidates.
+/// Stage 4: writes the spheres in the order of their columns and where each row begins; counts
+/// candidates.
 template <typename System>
 void cell_index(Workspace<System>& w);
 
-/// Stage 5: each sphere against its half shell, and against the coarser levels around it.
+/// Stage 5: tests each sphere against its half shell, and against the coarser levels around it.
 template <typename System>
 void pair_tests(Workspace<System>& w);
 
-/// The level that an id belongs to.
+/// Returns the level that an id belongs to.
 OCTOCELL_HD int level_of_id(const Levels& levels, std::uint32_t id) {
   int level = 0;
   while (level + 1 < levels.count && id >= levels.level[level + 1].first_id) ++level;
   return level;
 }
 
-/// The first place in [begin, end) where is_before(place) is false; it never is true again.
+/// Returns the first place in [begin, end) where is_before(place) is false; it must stay false from
+/// there on.
 template <typename IsBefore>
 OCTOCELL_HD std::uint32_t first_not(std::uint32_t begin, std::uint32_t end, IsBefore is_before) {
   while (begin < end) {

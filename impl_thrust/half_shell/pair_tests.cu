@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Stage 5 of half_shell: which spheres of adjacent cells overlap?
-// Reads members, rows. Writes sure pairs, and uncertain pairs for stage 6.
-// Cost: each candidate is looked at twice where its sphere finds something; five rows are searched
-//       for a sphere, and nine for each coarser level.
-// Idea: count, scan, write, one work item a sphere. Shell says which runs it meets.
+// Reads members, rows. Writes certain pairs, and uncertain pairs for stage 6.
+// Cost: each candidate is tested twice if its sphere finds something; five rows are searched for a
+//       sphere, and nine for each coarser level.
+// Idea: count, scan, write, with one work item a sphere. Shell says which runs to test it against.
 #include <cstdint>
 
 #include "core/flags.hpp"
@@ -13,11 +13,11 @@
 namespace octocell::on_thrust::half_shell {
 namespace {
 
-/// Sphere k against all in its runs.
+/// Tests sphere k against all spheres of its runs.
 struct ShellTest {
   Shell shell;
   const Object* objects;
-  const Flags* flags;  // none: every pair may collide
+  const Flags* flags;  // null: every pair may collide
   PairTest test;
 
   template <typename OnSure, typename OnUncertain>

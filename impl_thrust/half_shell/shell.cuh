@@ -2,10 +2,10 @@
 // Where the partners of a sphere lie.
 //
 // Spheres of a level that overlap lie in adjacent cells of its grid. So do a sphere and one of a
-// coarser level, in the coarser grid: their centres differ by at most r + r' <= 2 r', a cell's side
-// (docs/exactness.md, claim A). Each pair has one sphere that looks for it: of two of a level the
-// one with the other in its half shell, otherwise the finer one. It is the finer, since a giant's
-// work would be one work item's.
+// coarser level, in the coarser grid: their centres differ by at most r + r' <= 2 r', the side of a
+// cell (docs/exactness.md, claim A). One sphere of each pair searches for the other: within a
+// level, the one that has the other in its half shell; otherwise the finer one, because all
+// partners of a giant sphere would be the work of one work item.
 #pragma once
 
 #include <cstdint>
@@ -25,10 +25,10 @@ struct Run {
 /// The columns near a sphere in one row.
 struct Window {
   Run near;
-  Run across;  // what lies behind the seam of a wrapped axis
+  Run across;  // what lies beyond the seam of a wrapped axis
 };
 
-/// False behind the border of an axis that does not wrap.
+/// Moves a coordinate by one step. Returns false beyond the border of an axis that does not wrap.
 OCTOCELL_HD bool step_along(const Grid& grid, int axis, int step, std::uint32_t& at) {
   const std::uint32_t last = grid.period(axis) - 1;
   const bool leaves = (step < 0 && at == 0) || (step > 0 && at == last);
@@ -41,7 +41,7 @@ OCTOCELL_HD bool step_along(const Grid& grid, int axis, int step, std::uint32_t&
   return true;
 }
 
-/// The cell of a centre as ids number it.
+/// Returns the cell of a centre as ids number it.
 OCTOCELL_HD Cell wrapped_cell(const Grid& grid, const Sphere& s) {
   const Cell cell = cell_of(grid, s.x, s.y, s.z);
   return {cell.x & grid.wrap_mask[0], cell.y & grid.wrap_mask[1], cell.z & grid.wrap_mask[2]};
@@ -54,8 +54,8 @@ struct Shell {
   const Row* rows;           // [row_count + 1]
   std::uint32_t row_count;
 
-  /// Calls visit(run) for runs that hold each partner of sphere k that it is the one to look for,
-  /// and no sphere twice.
+  /// Calls visit(run) for runs that together hold each partner that sphere k must search for, and
+  /// no sphere twice.
   template <typename Visit>
   OCTOCELL_HD void for_each_run(std::uint32_t k, Visit visit) const {
     const int own = level_of_id(*levels, ids[k]);
@@ -64,7 +64,7 @@ struct Shell {
       const Cell cell = wrapped_cell(level.grid, members[k]);
       for (int z = -1; z <= 1; ++z) {
         for (int y = -1; OCTOCELL_FAULT(thrust_shell_row_missing, y < 1, y <= 1); ++y) {
-          // Spheres of its own level in the other half find this one in theirs.
+          // Spheres of its own level in the other half of the shell find this one in theirs.
           if (l == own && (z < 0 || (z == 0 && y < 0))) continue;
           const Row* const row = row_at(level, cell, y, z);
           if (row == nullptr) continue;
@@ -79,7 +79,8 @@ struct Shell {
   }
 
  private:
-  /// The row that many cells from `cell`; none if there is no such row, or nothing in it.
+  /// Returns the row y and z cells away from `cell`; null if that row has no spheres or does not
+  /// exist.
   [[nodiscard]] OCTOCELL_HD const Row* row_at(const Level& level, Cell cell, int y, int z) const {
     const Grid& grid = level.grid;
     if (!step_along(grid, 1, y, cell.y) || !step_along(grid, 2, z, cell.z)) return nullptr;
@@ -89,7 +90,7 @@ struct Shell {
     return at < row_count && rows[at].first_id == first_id ? rows + at : nullptr;
   }
 
-  /// The spheres of a row in columns [first, last].
+  /// Returns the spheres of a row in columns [first, last].
   [[nodiscard]] OCTOCELL_HD Run in_columns(const Row& row, std::uint32_t first,
                                            std::uint32_t last) const {
     const std::uint32_t row_end = (&row + 1)->begin;
@@ -100,12 +101,13 @@ struct Shell {
     return {begin, end};
   }
 
-  /// A period so short that both ends of a window meet: all columns are near, once.
+  /// Returns true if the period is so short that both ends of a window meet: then all columns are
+  /// near.
   [[nodiscard]] OCTOCELL_HD static bool all_near(const Level& level) {
     return level.grid.wraps(0) && level.grid.period(0) <= 2 * level.column_reach;
   }
 
-  /// Columns from level.column_reach before to level.column_reach behind.
+  /// Returns the columns from level.column_reach before `column` to level.column_reach behind it.
   [[nodiscard]] OCTOCELL_HD Window window_around(const Level& level, const Row& row,
                                                  std::uint32_t column) const {
     const std::uint32_t columns = level.grid.period(0);
@@ -122,7 +124,8 @@ struct Shell {
     return window;
   }
 
-  /// In its own row: what follows sphere k, as far as level.column_reach columns behind.
+  /// Returns the spheres of its own row that follow sphere k, up to level.column_reach columns
+  /// behind it.
   [[nodiscard]] OCTOCELL_HD Window window_behind(const Level& level, const Row& row,
                                                  std::uint32_t column, std::uint32_t k) const {
     const std::uint32_t columns = level.grid.period(0);
@@ -138,7 +141,7 @@ struct Shell {
   }
 };
 
-/// Of a workspace that stage 4 has been through.
+/// Needs a workspace after stage 4.
 template <typename System>
 Shell shell_of(Workspace<System>& w) {
   return {w.levels, w.cell_ids.data(), w.members.data(), w.rows.data(),
