@@ -55,7 +55,7 @@ class Comparison:
 def compare(old: Result, new: Result, threshold: float) -> Comparison:
     """Rows are the same if their names are."""
     before, after = ({row.name: row for row in result.rows} for result in (old, new))
-    truths = [{g.place: (g.truth_pairs, g.truth_checksum) for g in r.groups} for r in (old, new)]
+    truths = [{g.place: g.truth for g in r.groups} for r in (old, new)]
     found = Comparison(
         changes=[],
         other_scene=[],

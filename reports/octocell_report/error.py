@@ -86,12 +86,12 @@ class Point:
     @property
     def depth(self) -> float | None:
         """Of the missed pair that overlaps most: how deep, by the sum of the radii."""
-        return self.row.distances.missed_depth if self.row.distances else None
+        return self.row.worst_missed_depth
 
     @property
     def gap(self) -> float | None:
         """Of the false pair that lies farthest apart: how far, by the sum of the radii."""
-        return self.row.distances.false_gap if self.row.distances else None
+        return self.row.worst_false_gap
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ order of the JSON. The columns:
     order                       place of the implementation in tables; sort by it
     side                        backend (on the host), device, baseline
     family                      library of a baseline (fcl, bullet); else the backend
-    status reason negative_control known_issues   as in the JSON; no known issues are ''
+    status reason negative_control known_issues   as in the JSON;
     ran                         False: skipped, so there are no numbers
     counts                      True: exact and no negative control, so its time may stand alone
     excused                     wrong, but only by its library's known issues
@@ -46,20 +46,21 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pandas as pd
+from msgspec.structs import asdict
+
+from octocell_report.schema import Impl, Row
 
 if TYPE_CHECKING:
-    from octocell_report.load import Impl, Result, Row
+    from octocell_report.load import Result
 
 _WHOLE = (
-    *("pairs", "missed", "false", "duplicates", "candidates", "uncertain_pairs"),
-    *("distinct_checksums", "peak_bytes", "device_bytes", "output_bytes", "truth_pairs"),
+    *("pairs", "missed", "false", "duplicates", "candidates", "uncertain_pairs", "truth_pairs"),
+    *("distinct_checksums", "peak_bytes", "device_bytes", "output_bytes"),
 )
 _REAL = ("plan_ms", "worst_missed_depth", "worst_false_gap", "median_ms", "min_ms", "max_ms")
-_AS_IN_THE_ROW = (
-    *("name", "kind", "skips", "run", "status", "reason", "negative_control", "known_issues"),
-    *("counts", "excused", "round_ms", "pairs", "checksum", "missed", "false", "duplicates"),
-    *("candidates", "uncertain_pairs", "distinct_checksums", "plan_ms", "peak_bytes"),
-    *("device_bytes", "output_bytes", "plan", "median_ms"),
+_DERIVED = (
+    *("label", "order", "side", "family", "ran", "counts", "excused", "round_ms", "rounds"),
+    *("median_ms", "min_ms", "max_ms", "truth_pairs", "scene_class", "real"),
 )
 
 
@@ -91,62 +92,34 @@ def rows_frame(result: Result, rows: Iterable[Row]) -> pd.DataFrame:
     sides = result.sides
 
     def line(row: Row) -> dict[str, Any]:
-        group, impl, times = groups[row.place], row.impl, row.round_ms
-        distances = row.distances
-        return {
-            **impl._asdict(),
-            **row.place._asdict(),
-            **{key: getattr(row, key) for key in _AS_IN_THE_ROW},
+        impl, group, times = row.impl, groups[row.place], row.round_ms
+        return asdict(row) | {
+            "predicate": impl.predicate,
+            "motion": row.motion.scene if row.motion else None,
             "label": result.labels.get(impl, impl.backend),
             "order": order.get(impl, len(order)),
             "side": sides.get(impl, row.kind),
             "family": impl.backend.split("_", 1)[0] if row.kind == "baseline" else impl.backend,
-            "motion": row.motion.scene if row.motion else None,
             "ran": row.status != "skipped",
-            "rounds": len(times),
-            "min_ms": min(times, default=None),
-            "max_ms": max(times, default=None),
-            "worst_missed_depth": distances.missed_depth if distances else None,
-            "worst_false_gap": distances.false_gap if distances else None,
-            "truth_pairs": group.truth_pairs,
-            "scene_class": group.scene_class,
+            **{"counts": row.counts, "excused": row.excused},
+            **{"round_ms": times, "rounds": len(times), "median_ms": row.median_ms},
+            **{"min_ms": min(times, default=None), "max_ms": max(times, default=None)},
+            **{"truth_pairs": group.truth_pairs, "scene_class": group.scene_class},
             "real": group.real,
         }
 
-    frame = pd.DataFrame(map(line, rows), columns=_COLUMNS, dtype=object)
+    columns = [*Row.__struct_fields__, *_DERIVED]
+    frame = pd.DataFrame(map(line, rows), columns=columns, dtype=object)
     types = dict.fromkeys(_WHOLE, "Int64") | dict.fromkeys(_REAL, "float64")
     frame = frame.astype(types).infer_objects()
     n = frame["n"].where(frame["n"] > 0).astype("float64")
-    frame["ns_per_sphere"] = frame["median_ms"] * 1e6 / n
+    truth = frame["truth_pairs"].where(frame["truth_pairs"] > 0).astype("float64")
     beyond = (frame["peak_bytes"] - frame["output_bytes"].fillna(0)).astype("float64") / n
-    frame["beyond_bytes"] = beyond.where(frame["device_bytes"].isna())
-    truth = frame["truth_pairs"].where(frame["truth_pairs"] > 0)
-    frame["candidates_per_pair"] = frame["candidates"].astype("float64") / truth.astype("float64")
-    return frame
-
-
-_COLUMNS = list(
-    dict.fromkeys(
-        [
-            *("name", "kind", "backend", "method", "rule", "predicate", "threads", "skips"),
-            *(
-                "scene",
-                "n",
-                "run",
-                "motion",
-                "label",
-                "order",
-                "side",
-                "family",
-                "status",
-                "reason",
-            ),
-            *("negative_control", "known_issues", "ran", "counts", "excused", "round_ms"),
-            *("median_ms", "min_ms", "max_ms", "rounds", *_WHOLE, "checksum", *_REAL),
-            *("scene_class", "real", "plan"),
-        ]
+    return frame.assign(
+        ns_per_sphere=frame["median_ms"] * 1e6 / n,
+        beyond_bytes=beyond.where(frame["device_bytes"].isna()),
+        candidates_per_pair=frame["candidates"].astype("float64") / truth,
     )
-)
 
 
 def stages_frame(rows: Iterable[Row]) -> pd.DataFrame:

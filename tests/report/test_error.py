@@ -43,7 +43,7 @@ def test_fields_are_read():
     result = parse(document(known))
     found = result.rows[0]
     assert (found.predicate, found.impl.predicate) == ("f32", "f32")
-    assert (found.distances.missed_depth, found.distances.false_gap) == (0.25, 3.1e-8)
+    assert (found.worst_missed_depth, found.worst_false_gap) == (0.25, 3.1e-8)
     assert found.distinct_checksums == 2
     assert result.groups[0].scene_class == "random" and result.groups[0].rounding is None
 
@@ -51,17 +51,17 @@ def test_fields_are_read():
 def test_files_without_the_fields_are_read_as_before():
     found = parse(synthetic.document([synthetic.group("gas", 1000)], [synthetic.row()])).rows[0]
     assert (found.predicate, found.impl.predicate, found.distinct_checksums) == (None, None, None)
-    assert found.distances.missed_depth is None
+    assert found.worst_missed_depth is None
 
 
 @pytest.mark.parametrize(
     ("where", "changes", "message"),
     [
-        ("rows", {"predicate": "float"}, "field 'predicate' is \"float\", not one of exact,"),
-        ("rows", {"kind": "baseline"}, "field 'predicate' is set, but it is a baseline"),
-        ("rows", {"worst_false_gap": -1.0}, "field 'worst_false_gap' is -1.0"),
-        ("groups", {"scene_class": "odd"}, "one of random, structured, extreme or null"),
-        ("groups", {"input_rounding": {"lost": 1}}, "input_rounding: lacks the field 'gained'"),
+        ("rows", {"predicate": "float"}, "is \"float\": Expected 'str' matching regex '^(exact|"),
+        ("rows", {"kind": "baseline"}, "'predicate' is set, but it is a baseline"),
+        ("rows", {"worst_false_gap": -1.0}, "is -1.0: Expected"),
+        ("groups", {"scene_class": "odd"}, "(random|structured|extreme)"),
+        ("groups", {"input_rounding": {"lost": 1}}, "missing required field 'gained'"),
     ],
 )
 def test_bad_fields_are_named(where, changes, message):
