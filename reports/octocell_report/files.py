@@ -11,6 +11,7 @@ import shutil
 import stat
 import tempfile
 import zlib
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -21,7 +22,6 @@ from octocell_report.fields import ReportError, naming, printable
 _Parsed = TypeVar("_Parsed")
 Bytes = bytes | memoryview
 _DIRECT = ("/dev/fd/", "/dev/std", "/proc/")  # may name a file, but are an open end of it
-_LONGEST_INTEGER = 400  # digits, of which all but the first few are of no use
 
 
 def read_text(path: Path) -> str:
@@ -43,8 +43,9 @@ def read_json(path: Path, parse: Callable[[Any], _Parsed]) -> _Parsed:
     text = read_text(path)
     with naming(path):
         try:
-            document = _printable(
-                json.loads(text, parse_int=_integer, object_pairs_hook=_without_repeats)
+            # Integers are cut short: Python refuses thousands of digits without naming the field.
+            document = json.loads(
+                text, parse_int=lambda digits: int(digits[:400]), object_pairs_hook=_object
             )
         except json.JSONDecodeError as error:
             raise ReportError(f"not JSON: {error}") from error
@@ -53,29 +54,19 @@ def read_json(path: Path, parse: Callable[[Any], _Parsed]) -> _Parsed:
         return parse(document)
 
 
-def _integer(digits: str) -> int:
-    """Python refuses very long ones without a place; cut short, they are refused by their field."""
-    return int(digits[:_LONGEST_INTEGER])
-
-
-def _without_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    found = dict(pairs)
+def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """Refuses repeated names. Texts get onto one line, so that they can stand in any output."""
+    found = {printable(name): _printable(value) for name, value in pairs}
     if len(found) != len(pairs):
-        names = [name for name, _ in pairs]
-        twice = next(name for name in names if names.count(name) > 1)
+        twice, _ = Counter(printable(name) for name, _ in pairs).most_common(1)[0]
         raise ReportError(f"an object has the field '{twice}' twice")
     return found
 
 
 def _printable(value: Any) -> Any:
-    """The same with every text on one line, so that names can stand in any output."""
-    if isinstance(value, str):
-        return printable(value)
     if isinstance(value, list):
         return [_printable(item) for item in value]
-    if isinstance(value, dict):
-        return {printable(key): _printable(item) for key, item in value.items()}
-    return value
+    return printable(value) if isinstance(value, str) else value
 
 
 def check_outputs(outputs: Iterable[Path], inputs: Iterable[Path] = ()) -> None:
@@ -93,38 +84,36 @@ def check_outputs(outputs: Iterable[Path], inputs: Iterable[Path] = ()) -> None:
             met[identity] = f"the output {path}"
 
 
-def _identity(path: Path) -> tuple[int, int, str] | None:
-    """Of a file, even one that does not exist yet: by its folder; None if it is no regular file."""
+def _identity(path: Path) -> object:
+    """What two names of one file share, even of one that does not exist; None if it is no file."""
     try:
         known = os.stat(path)
     except OSError:
-        real = Path(os.path.realpath(path))
-        for folder in real.parents:
-            if folder.exists():
-                known = folder.stat()
-                return known.st_dev, known.st_ino, str(real.relative_to(folder))
-        return None
-    return (known.st_dev, known.st_ino, "") if stat.S_ISREG(known.st_mode) else None
+        return os.path.realpath(path)
+    return (known.st_dev, known.st_ino) if stat.S_ISREG(known.st_mode) else None
+
+
+@contextmanager
+def _writing(path: Path) -> Iterator[None]:
+    try:
+        yield
+    except OSError as error:
+        raise ReportError(f"{path}: cannot be written: {error.strerror}") from error
 
 
 def _replaceable(path: Path) -> os.stat_result | None:
     """What is known of the file that is there; None if there is none. Throws ReportError."""
-    try:
-        known = os.stat(path)
-    except FileNotFoundError:
-        return None
-    except OSError as error:
-        raise _unwritten(path, error) from error
+    with _writing(path):
+        try:
+            known = os.stat(path)
+        except FileNotFoundError:
+            return None
     if stat.S_ISDIR(known.st_mode):
         raise ReportError(f"{path}: cannot be written: is a folder")
-    # Who may do anything, may write what is read-only; but it is so for a reason.
+    # The superuser may write to what is read-only; but it is so for a reason.
     if stat.S_ISREG(known.st_mode) and not (known.st_mode & 0o222 and os.access(path, os.W_OK)):
         raise ReportError(f"{path}: cannot be written: is read-only")
     return known
-
-
-def _unwritten(path: Path, error: OSError) -> ReportError:
-    return ReportError(f"{path}: cannot be written: {error.strerror}")
 
 
 def write_text(path: Path, text: str) -> None:
@@ -133,10 +122,8 @@ def write_text(path: Path, text: str) -> None:
 
 def write_json(path: Path, document: object) -> None:
     """Its folder is made if it is not there."""
-    try:
+    with _writing(path):
         path.parent.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise _unwritten(path, error) from error
     write_text(path, json.dumps(document, indent=1) + "\n")
 
 
@@ -146,30 +133,25 @@ def write_whole(path: Path, *parts: Bytes) -> None:
     Permissions stay, and hold from the first byte on; a link goes on pointing to the file.
     """
     known = _replaceable(path)
-    try:
+    with _writing(path):
         if str(path).startswith(_DIRECT) or (known and not stat.S_ISREG(known.st_mode)):
             with path.open("wb") as stream:
-                stream.writelines(parts)
-            return
-        target = Path(os.path.realpath(path))
+                return stream.writelines(parts)
+        target, mode = Path(os.path.realpath(path)), 0o600 if known else 0o666
         part = target.with_name(f".octocell-{secrets.token_hex(8)}")
-        mode = 0o600 if known else 0o666
-        handle = os.open(part, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC, mode)
         try:
-            with os.fdopen(handle, "wb") as stream:
+            with open(part, "xb", opener=lambda name, how: os.open(name, how, mode)) as stream:
                 stream.writelines(parts)
-                if known:
-                    _take_after(known, handle)
+                _take_after(known, stream.fileno())
             os.replace(part, target)
-        except BaseException:
+        finally:
             part.unlink(missing_ok=True)
-            raise
-    except OSError as error:
-        raise _unwritten(path, error) from error
 
 
-def _take_after(known: os.stat_result, file: int | Path) -> None:
-    """Owner and permissions; fewer for a group that cannot be kept."""
+def _take_after(known: os.stat_result | None, file: int | Path) -> None:
+    """Owner and permissions of what is replaced; fewer for a group that cannot be kept."""
+    if known is None:
+        return
     mode = stat.S_IMODE(known.st_mode)
     try:
         os.chown(file, known.st_uid, known.st_gid)
@@ -193,20 +175,18 @@ def staged_folder(
     owned, inputs = sorted(owned), list(inputs)
     check_outputs((folder / name for name in owned), inputs)
     made = [path for path in (folder, *folder.parents) if not path.exists()]
-    staging, done = None, False
     try:
-        folder.mkdir(parents=True, exist_ok=True)
-        staging = Path(tempfile.mkdtemp(prefix=".octocell-", dir=folder))
-        yield staging
-        _publish(staging, folder, owned, inputs)
-        done = True
-    except OSError as error:
-        raise _unwritten(folder, error) from error
-    finally:
-        if staging:
-            shutil.rmtree(staging, ignore_errors=True)
-        if made and not done:
-            shutil.rmtree(made[-1], ignore_errors=True)
+        with _writing(folder):
+            folder.mkdir(parents=True, exist_ok=True)
+            with tempfile.TemporaryDirectory(
+                prefix=".octocell-", dir=folder, ignore_cleanup_errors=True
+            ) as staging:
+                yield Path(staging)
+                _publish(Path(staging), folder, owned, inputs)
+    except BaseException:
+        for path in made[-1:]:
+            shutil.rmtree(path, ignore_errors=True)
+        raise
 
 
 def _publish(staging: Path, folder: Path, owned: list[str], inputs: list[Path]) -> None:
@@ -217,10 +197,8 @@ def _publish(staging: Path, folder: Path, owned: list[str], inputs: list[Path]) 
         fresh, target = staging / name, folder / name
         if target.is_symlink() or (target.exists() and not target.is_file()):
             write_whole(target, fresh.read_bytes())
-            continue
-        known = _replaceable(target)
-        if known:
-            _take_after(known, fresh)
-        os.replace(fresh, target)
+        else:
+            _take_after(_replaceable(target), fresh)
+            os.replace(fresh, target)
     for name in set(owned) - set(written):
         (folder / name).unlink(missing_ok=True)
