@@ -10,7 +10,7 @@ FRAME_SEQUENCES ?= 200000
 # How long `make fuzz` runs each of its targets.
 FUZZ_SECONDS ?= 300
 PUBLISHED := reports/results/epyc-zen5-2core/quick.json.gz
-PAGES := README.md README.zh-CN.md docs/results.md
+PAGES := README.md README.zh-CN.md docs/results.md docs/guarantee.md
 # Machine code for the common GPUs from Turing on; the last entry's PTX serves what is newer.
 GPUS ?= 75-real 80-real 86-real 89-real 90
 # ON: `make bundle` packs the build with planted faults instead.
@@ -43,8 +43,7 @@ build-tests: configure ## Build the tests, too
 
 test: build-tests ## Run all tests
 	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j "$$(nproc)"
-	@for page in $(PAGES); do $(PYTHON) -m octocell_report readme $(PUBLISHED) $$page --check || exit 1; done
-	@$(PYTHON) -m octocell_report guarantee docs/guarantee.md --check
+	@$(PYTHON) -m octocell_report readme $(PAGES) --check
 	@OCTOCELL_BIN=$(BUILD)/octocell $(PYTHON) -m pytest -q
 
 stress: build ## Every implementation on the scenes of the stress catalogue (minutes), and the compilers
@@ -97,8 +96,7 @@ report: setup ## Draw plots and the page again from RESULT (default reports/out/
 	@echo "open reports/out/index.html"
 
 readme: setup ## Write the tables of README and docs from the published results
-	@for page in $(PAGES); do $(PYTHON) -m octocell_report readme $(PUBLISHED) $$page || exit 1; done
-	@$(PYTHON) -m octocell_report guarantee docs/guarantee.md
+	@$(PYTHON) -m octocell_report readme $(PAGES)
 
 pictures: build ## Draw the README's pictures from runs of the program and the published results
 	@$(PYTHON) scripts/draw_pictures.py --octocell $(BUILD)/octocell --result $(PUBLISHED)

@@ -122,7 +122,7 @@ def _skips_table(result: Result) -> str:
         cells = {effect.skip: _skip_cell(effect) for effect in ablation.effects(study)}
         row = [cells.get(skip, words.NONE) for skip in skips]
         lines.append([study.title, study.key.backend, *row])
-    return markdown.table(["scene", "backend", *skips], lines)
+    return markdown.table(pd.DataFrame(lines, columns=["scene", "backend", *skips]))
 
 
 def _skip_cell(effect: ablation.Effect) -> str:
@@ -136,7 +136,7 @@ def _regret_table(result: Result) -> str:
     header = ["scene", "backend", "planned [ms]", "best [ms]", "best"]
     header += ["regret", "interval", "verdict"]
     every = ablation.regrets(ablation.studies(result))
-    return markdown.table(header, list(map(_regret_cells, every)))
+    return markdown.table(pd.DataFrame(map(_regret_cells, every), columns=header))
 
 
 def _regret_cells(regret: Regret) -> list[str]:

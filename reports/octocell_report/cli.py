@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from octocell_report import __version__
 from octocell_report.console import Parser, run, say
-from octocell_report.fields import ReportError, naming
+from octocell_report.fields import naming
 from octocell_report.load import Result, load
 
 if TYPE_CHECKING:
@@ -74,25 +74,9 @@ def _parser() -> Parser:
     compare.set_defaults(command=_compare)
 
     readme = commands.add_parser("readme", help="write the text between octocell markers")
-    readme.add_argument("result", type=Path, metavar="RESULT.json")
-    readme.add_argument("readme", type=Path, metavar="README.md")
-    readme.add_argument("--check", action="store_true", help="write nothing; exit 1 if it differs")
+    readme.add_argument("pages", type=Path, nargs="+", metavar="FILE.md")
+    readme.add_argument("--check", action="store_true", help="write nothing; exit 1 if one differs")
     readme.set_defaults(command=_readme)
-
-    guarantee = commands.add_parser(
-        "guarantee", help="write the tables of what was tried to break it"
-    )
-    guarantee.add_argument(
-        "paths",
-        type=Path,
-        nargs="+",
-        metavar="FOLDER|FILE.md",
-        help="folders of results, for markers that name none; then the files with the markers",
-    )
-    guarantee.add_argument(
-        "--check", action="store_true", help="write nothing; exit 1 if one differs"
-    )
-    guarantee.set_defaults(command=_guarantee)
 
     sort = commands.add_parser("sort", help="plots and a table from octocell bench-sort's JSON")
     sort.add_argument("result", type=Path, metavar="SORT.json")
@@ -198,25 +182,9 @@ def _compare(options: argparse.Namespace) -> int:
 def _readme(options: argparse.Namespace) -> int:
     from octocell_report.readme import rewrite
 
-    differing = rewrite(load(options.result), options.readme, check_only=options.check)
-    if not differing:
-        say(f"{options.readme}: up to date")
-        return 0
-    verb = "differs from" if options.check else "rewritten from"
-    say(f"{options.readme}: {verb} {options.result}: {', '.join(differing)}")
-    return 1 if options.check else 0
-
-
-def _guarantee(options: argparse.Namespace) -> int:
-    from octocell_report.readme import rewrite
-
-    folders = [path for path in options.paths if path.suffix != ".md"]
-    files = [path for path in options.paths if path.suffix == ".md"]
-    if not files:
-        raise ReportError("guarantee: names no .md file to write")
     every = []
-    for path in files:
-        differing = rewrite(None, path, check_only=options.check, folders=folders)
+    for path in options.pages:
+        differing = rewrite(path, check_only=options.check)
         verb = "differs" if options.check else "rewritten"
         say(f"{path}: {verb}: {', '.join(differing)}" if differing else f"{path}: up to date")
         every += differing

@@ -99,9 +99,8 @@ def text(study: Study, folder: Path) -> str:
 
 def _table(table: Table) -> str:
     header = [_english(name) for name, _ in table.columns]
-    return markdown.table(
-        header, [[_english(cell.text) for cell in line.cells] for line in table.lines]
-    )
+    lines = [[_english(cell.text) for cell in line.cells] for line in table.lines]
+    return markdown.table(pd.DataFrame(lines, columns=header))
 
 
 def _english(said: object) -> str:

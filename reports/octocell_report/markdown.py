@@ -4,23 +4,36 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
+
+import pandas as pd
 
 from octocell_report.language import tell
+from octocell_report.words import NONE
 
 _BAR = re.compile(r"(\\*)\|")
 _CODE = re.compile(r"(`[^`]*`)")
 _READ = re.compile(r"[$`]|<(?=[A-Za-z/!?])")
 
 
-def table(header: list[str], lines: list[list[str]], note: str = "") -> str:
-    """The first column to the left, the others to the right."""
-    rule = "|---" + "|---:" * (len(header) - 1) + "|"
+def table(lines: pd.DataFrame, note: str = "") -> str:
+    """The first column to the left, the others to the right; a dash where there is nothing."""
+    rule = "|---" + "|---:" * (len(lines.columns) - 1) + "|"
+    rows = lines.where(lines.notna(), NONE).itertuples(index=False)
     below = ["", note] if note else []
-    return "\n".join([_line(header), rule, *map(_line, lines), *below])
+    return "\n".join([_line(lines.columns), rule, *map(_line, rows), *below])
 
 
-def _line(cells: list[str]) -> str:
-    return "| " + " | ".join(_BAR.sub(r"\1\1\|", cell) for cell in cells) + " |"
+def _line(cells: Iterable[object]) -> str:
+    return "| " + " | ".join(_BAR.sub(r"\1\1\|", str(cell)) for cell in cells) + " |"
+
+
+def code(text: str) -> str:
+    return f"`{text}`"
+
+
+def bold(text: str) -> str:
+    return f"**{text}**"
 
 
 def plain(text: str) -> str:

@@ -1,291 +1,112 @@
 # SPDX-License-Identifier: MIT
-"""Text between markers in a Markdown file, written from a result so that it cannot go stale.
+"""Text between markers in a Markdown file, written from results so that it cannot go stale.
 
-<!-- octocell:speed -->
+<!-- octocell:speed results/quick.json -->
 (what stands here is replaced)
 <!-- /octocell:speed -->
 
-A marker may name the result that its block is written from, by its path from the file's folder:
-<!-- octocell:gpu_speed reports/results/h100/gpu.json -->. Else it is the one that was given.
-Blocks of the guarantee are written from folders of results, and may name one the same way.
+The first marker names what is read, by its path from the file's folder: a result, or a folder.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator
 from functools import cache, partial
+from itertools import zip_longest
 from pathlib import Path
-from statistics import median
+from typing import Any
 
 from octocell_report import (
     markdown,
+    readme_bench,
     readme_front,
     readme_gpu,
     readme_guarantee,
     readme_kinds,
     readme_sorts,
     sort,
-    tables,
     verification,
-    words,
 )
 from octocell_report.fields import ReportError, naming
 from octocell_report.files import read_text, write_text
-from octocell_report.load import Impl, Place, Result, Row, load
-from octocell_report.markdown import table
-from octocell_report.sort import SortResult
+from octocell_report.load import load
 
-SCENE = "gas"  # the plain scene: the table of speeds is about it alone
-NAMED = "bullet_dbvt"  # the baseline that ratios are also given to by name
-RUNS = ("cold", "warm")
+_MARKER = re.compile(
+    r"<!--\s*(?P<closes>/?)octocell:(?P<name>[^\s>]*)(?:\s+(?P<source>[^\s>]+))?\s*-->"
+)
 
-_MARKER = re.compile(r"<!--\s*(/?)octocell:([^\s>]*)(?:\s+([^\s>]+))?\s*-->")
+# By the name of the block: what reads its source, and what writes it from that.
+BLOCKS: dict[str, tuple[Callable[[Path], Any], Callable[[Any], str]]] = {
+    "machine": (load, readme_bench.machine),
+    "correctness": (load, readme_bench.correctness),
+    "speed": (load, readme_bench.speed),
+    "moving": (load, readme_bench.moving),
+    "against": (load, readme_kinds.against),
+    "kinds_cold": (load, readme_kinds.kinds_cold),
+    "kinds_warm": (load, readme_kinds.kinds_warm),
+    "frames": (load, readme_kinds.frames),
+    "gpu_speed": (load, readme_gpu.speed),
+    "gpu_stages": (load, readme_gpu.stages),
+    "gpu_sorts": (sort.load, readme_sorts.sorts),
+    "front_libraries": (load, readme_front.libraries),
+    "front_libraries_zh": (load, partial(readme_front.libraries, language="zh")),
+    "front_gpu": (load, readme_front.gpu),
+    "front_gpu_zh": (load, partial(readme_front.gpu, language="zh")),
+    "front_wrong": (verification.read, readme_guarantee.front),
+    "front_wrong_zh": (verification.read, partial(readme_guarantee.front, language="zh")),
+    "guarantee": (verification.read, readme_guarantee.guarantee),
+    "guarantee_near_tangent": (verification.read, readme_guarantee.near_tangent),
+    "guarantee_stress": (verification.read, readme_guarantee.stress),
+    "guarantee_compilers": (verification.read, readme_guarantee.compilers),
+    "guarantee_mutants": (verification.read, readme_guarantee.mutants),
+    "guarantee_fuzz": (verification.read, readme_guarantee.fuzz),
+    "guarantee_sanitizers": (verification.read, readme_guarantee.sanitizers),
+}
 
 
-def rewrite(
-    result: Result | None, path: Path, check_only: bool, folders: Sequence[Path] = ()
-) -> list[str]:
-    """Names of the blocks that differed; unless check_only, the file has them all now.
-
-    Without a result only the guarantee's blocks are written, from the folders if they name none.
-    """
+def rewrite(path: Path, check_only: bool) -> list[str]:
+    """Names of the blocks that differed; unless check_only, the file has them all now."""
     text = read_text(path)
     with naming(path):
-        fresh, differing = filled(result, text, path.parent, folders)
+        fresh, differing = filled(text, path.parent)
     if differing and not check_only:
         write_text(path, fresh)
     return differing
 
 
-def filled(
-    result: Result | None, text: str, folder: Path = Path(), folders: Sequence[Path] = ()
-) -> tuple[str, list[str]]:
+def filled(text: str, folder: Path) -> tuple[str, list[str]]:
     """The text with its blocks rewritten, and the names of those that differed."""
     newline = "\r\n" if "\r\n" in text else "\n"
-    benches, sorts, read = cache(load), cache(sort.load), cache(verification.read)
+    known = cache(lambda read, path: read(path))
     parts, differing, end = [], [], 0
-    for name, source, start, stop in _blocks(text, bool(folders)):
-        if name in GUARANTEE_BLOCKS:
-            given = (folder / source,) if source else tuple(folders)
-            block = GUARANTEE_BLOCKS[name](read(given))
-        elif result is None:
-            continue
-        elif name in SORT_BLOCKS:
-            block = SORT_BLOCKS[name](sorts(folder / source))
-        else:
-            block = BLOCKS[name](benches(folder / source) if source else result)
+    for name, source, start, stop in _blocks(text):
+        read, write = BLOCKS[name]
+        block = write(known(read, folder / source))
         if _MARKER.search(block):
             raise ReportError(f"block '{name}' would hold a marker: a name in the result looks so")
         block = f"\n{markdown.plain(block)}\n".replace("\n", newline)
         parts += [text[end:start], block]
         if text[start:stop] != block:
-            differing.append(f"{name} {source}".strip())
+            differing.append(f"{name} {source}")
         end = stop
     return "".join(parts) + text[end:], differing
 
 
-def _blocks(text: str, given: bool) -> list[tuple[str, str, int, int]]:
-    """(name, source or nothing, start, stop) of what stands between markers, checked to pair up."""
-    found = []
-    opened: tuple[str, str, int, int] | None = None
-    for marker in _MARKER.finditer(text):
-        closes, name, source = marker.group(1) == "/", marker.group(2), marker.group(3) or ""
-        line = text.count("\n", 0, marker.start()) + 1
-        if name not in KNOWN:
-            known = ", ".join(KNOWN)
-            raise ReportError(f"line {line}: unknown marker 'octocell:{name}'; known: {known}")
-        if closes != (opened is not None) or (opened and opened[0] != name):
-            still = f"'{opened[0]}' is still open" if opened else ""
-            what = f"ends '{name}', which is not open" if closes else still
-            raise ReportError(f"line {line}: {what}")
-        if closes and source:
-            raise ReportError(f"line {line}: only the first marker of '{name}' names a result")
-        if not (closes or source or name in BLOCKS or (given and name in GUARANTEE_BLOCKS)):
-            raise ReportError(f"line {line}: marker 'octocell:{name}' must name its result")
-        if opened is None:
-            opened = name, source, marker.end(), line
-            continue
-        found.append((name, opened[1], opened[2], marker.start()))
-        opened = None
-    if opened is not None:
-        raise ReportError(f"line {opened[3]}: marker 'octocell:{opened[0]}' is never closed")
-    if not found:
+def _blocks(text: str) -> Iterator[tuple[str, str, int, int]]:
+    """(name, source, start, stop) of what stands between markers, checked to pair up."""
+    markers = list(_MARKER.finditer(text))
+    if not markers:
         raise ReportError("has no octocell markers")
-    return found
-
-
-def speed(result: Result) -> str:
-    """Ratios first: they carry over to other machines better than times do."""
-    place = tables.compared(result, SCENE, "warm") or result.largest(SCENE)
-    if place is None:
-        raise ReportError(f"block 'speed' needs the scene {SCENE}, which the result does not have")
-    titles = words.titles(result)
-    references = _references(result, place)
-    header = ["implementation", *(f"vs {name}" for name in references)]
-    header += [f"{run} [ms]" for run in RUNS]
-    lines = []
-    for impl in result.impls:
-        rows = {r.run: r for run in RUNS for r in result.at(place, run) if r.impl == impl}
-        if rows:
-            lines.append([titles[impl], *_speeds(rows, references)])
-    named = [_named(name, rows) for name, rows in references.items() if name != NAMED]
-    note = (
-        f"Scene {SCENE}, {words.grouped(place.n)} spheres. Ratios are cold / warm, baseline time "
-        "by the row's time within interleaved rounds, median; above 1 is faster than the baseline. "
-        "Times are this machine's."
-    )
-    return table(header, lines, " ".join([note, *named]))
-
-
-def _named(name: str, rows: dict[str, Row]) -> str:
-    """'The fastest FCL is `...`.', once if it is the same in all runs."""
-    met = {run: f"`{row.impl.backend}`" for run, row in rows.items()}
-    if len(set(met.values())) == 1:
-        return f"The {name} is {next(iter(met.values()))}."
-    return f"The {name} is {', '.join(f'{label} ({run})' for run, label in met.items())}."
-
-
-def _references(result: Result, place: Place) -> dict[str, dict[str, Row]]:
-    """By column: the row that others are held against, by run."""
-    found: dict[str, dict[str, Row]] = {}
-    for run in RUNS:
-        rows = result.at(place, run)
-        for family in tables.families(result):
-            row = tables.fastest(rows, family)
-            if row is not None:
-                found.setdefault(f"fastest {words.family_title(family)}", {})[run] = row
-    for run in RUNS:
-        for row in result.at(place, run):
-            if row.impl.backend == NAMED and row.kind == "baseline" and row.counts:
-                found.setdefault(NAMED, {})[run] = row
-    return found
-
-
-def _speeds(rows: dict[str, Row], references: dict[str, dict[str, Row]]) -> list[str]:
-    """The row's cells after its name; what is not exact gets its verdict and no numbers."""
-    first = next(iter(rows.values()))
-    bad = [row for row in rows.values() if row.status != "skipped" and not row.counts]
-    if bad:
-        return [words.verdict(bad[0]), *[words.NONE] * (len(references) + len(RUNS) - 1)]
-    if all(row.status == "skipped" for row in rows.values()):
-        why = f"skipped: {words.short_reason(first.reason, 60)}"
-        return [why, *[words.NONE] * (len(references) + len(RUNS) - 1)]
-    cells = [
-        " / ".join(_ratio(rows.get(run), of.get(run)) for run in RUNS) for of in references.values()
-    ]
-    return cells + [words.number(rows[run].median_ms if run in rows else None) for run in RUNS]
-
-
-def _ratio(row: Row | None, reference: Row | None) -> str:
-    if row is None or reference is None or not row.counts:
-        return words.NONE
-    rounds = tables.round_ratios(reference, row)
-    return words.ratio(median(rounds)) if rounds else words.NONE
-
-
-def moving(result: Result) -> str:
-    """The same for scenes that move, at the largest size of each: a frame's time, once settled."""
-    ratios = tables.ratios(result, "dynamic")
-    if not ratios:
-        raise ReportError("block 'moving' needs a moving scene, which the result does not have")
-    titles, families = words.titles(result), tables.families(result)
-    largest = {scene: result.largest(scene) for scene in result.scenes}
-    header = ["scene", "spheres", "implementation", "frame [ms]"]
-    header += [f"vs fastest {words.family_title(family)}" for family in families]
-    lines = []
-    for place in dict.fromkeys(r.place for r in ratios if r.place == largest[r.place.scene]):
-        for row in result.at(place, "dynamic"):
-            held = {r.family: r for r in ratios if (r.impl, r.place) == (row.impl, place)}
-            if held:
-                cells = [words.ratio(held[f].median) if f in held else words.NONE for f in families]
-                time = words.number(row.median_ms)
-                size = words.grouped(place.n)
-                lines.append([place.scene, size, titles[row.impl], time, *cells])
-    note = (
-        "Median frame after those that settle a structure. We rebuild each frame unless we can "
-        "prove that nothing relevant moved; a library updates its structure. The ratio is the "
-        "library's fastest frame time by the row's."
-    )
-    return table(header, lines, note)
-
-
-def correctness(result: Result) -> str:
-    """Implementations that are wrong somewhere, by scene; all others in one line."""
-    titles, cells = words.titles(result), tables.correctness(result)
-    lines, exact, absent = [], [], []
-    for impl in result.impls:
-        states = {cells[impl, group.place].state for group in result.groups}
-        if states & {"wrong", "negative_control"}:
-            here = [_scene_cell(result, cells, impl, scene) for scene in result.scenes]
-            lines.append([titles[impl], *here])
-        else:
-            (exact if "exact" in states else absent).append(f"`{titles[impl]}`")
-    note = (
-        f"{words.MINUS} pairs missed, + pairs that are none, × pairs given more than once; at the "
-        "largest size that is wrong."
-    )
-    said = [
-        f"Exact wherever they ran, of {len(result.groups)} scenes and sizes: {', '.join(exact)}."
-    ]
-    said += [f"Not run here: {', '.join(absent)}."] if absent else []
-    wrong = [table(["wrong", *result.scenes], lines, note)] if lines else []
-    return "\n\n".join([" ".join(said), *wrong])
-
-
-def _scene_cell(
-    result: Result, cells: dict[tuple[Impl, Place], tables.Cell], impl: Impl, scene: str
-) -> str:
-    groups = sorted((g for g in result.groups if g.scene == scene), key=lambda g: g.n)
-    here = [(group.n, cells[impl, group.place]) for group in groups]
-    wrong = [(n, cell) for n, cell in here if cell.state in ("wrong", "negative_control")]
-    if wrong:
-        n, cell = wrong[-1]
-        return f"**{cell.text}** at {words.size(n)}"
-    exact = sum(cell.state == "exact" for _, cell in here)
-    if exact == len(here):
-        return "exact"
-    if exact:
-        return f"exact, {exact} of {len(here)} sizes"
-    return {"unavailable": "not there", "skipped": "skipped"}.get(here[-1][1].state, words.NONE)
-
-
-def machine(result: Result) -> str:
-    """One line: what the numbers beside it belong to."""
-    context, box = result.context, result.context["machine"]
-    dirty = " with uncommitted changes" if context["dirty"] else ""
-    parts = [
-        *([result.gpu.name] if result.gpu else []),
-        f"{box['cpu']}, {box['cores']} cores, {box['memory_bytes'] / 1e9:.0f} GB, {box['os']}",
-        f"{context['compiler']} ({context['build_type']}, `{context['flags']}`)",
-        f"commit {context['commit'][:12]}{dirty}",
-        context["date"][:10],
-    ]
-    if not context["finished"]:
-        parts.append("run interrupted")
-    return "; ".join(parts) + "."
-
-
-BLOCKS: dict[str, Callable[[Result], str]] = {
-    "speed": speed,
-    "moving": moving,
-    "correctness": correctness,
-    "machine": machine,
-    "gpu_speed": readme_gpu.speed,
-    "gpu_stages": readme_gpu.stages,
-    "against": readme_kinds.against,
-    "kinds_cold": readme_kinds.kinds_cold,
-    "kinds_warm": readme_kinds.kinds_warm,
-    "frames": readme_kinds.frames,
-    "front_libraries": readme_front.libraries,
-    "front_libraries_zh": partial(readme_front.libraries, language="zh"),
-    "front_gpu": readme_front.gpu,
-    "front_gpu_zh": partial(readme_front.gpu, language="zh"),
-}
-# Of another kind of result, so its marker always names it.
-SORT_BLOCKS: dict[str, Callable[[SortResult], str]] = {"gpu_sorts": readme_sorts.sorts}
-GUARANTEE_BLOCKS = readme_guarantee.BLOCKS | {
-    "front_wrong": readme_front.wrong,
-    "front_wrong_zh": partial(readme_front.wrong, language="zh"),
-}
-KNOWN = (*BLOCKS, *SORT_BLOCKS, *GUARANTEE_BLOCKS)
+    for first, last in zip_longest(markers[::2], markers[1::2]):
+        name, marker = first["name"], f"marker '{first['closes']}octocell:{first['name']}'"
+        with naming(f"line {text.count(chr(10), 0, first.start()) + 1}"):
+            if name not in BLOCKS:
+                raise ReportError(f"unknown {marker}; known: {', '.join(BLOCKS)}")
+            if first["closes"]:
+                raise ReportError(f"{marker} closes what is not open")
+            if not first["source"]:
+                raise ReportError(f"{marker} must name what it is written from")
+            if not last or last.groups() != ("/", name, None):
+                raise ReportError(f"{marker} is not closed by '/octocell:{name}'")
+        yield name, first["source"], first.end(), last.start()

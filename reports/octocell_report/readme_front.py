@@ -3,11 +3,10 @@
 
 from __future__ import annotations
 
-from octocell_report import readme_gpu, readme_guarantee, readme_kinds, tables, words
+from octocell_report import readme_gpu, readme_kinds, tables, words
 from octocell_report.fields import ReportError
 from octocell_report.language import listed, tell
 from octocell_report.load import Place, Result
-from octocell_report.verification import Verification
 
 
 def libraries(result: Result, language: str = "en") -> str:
@@ -43,14 +42,3 @@ def gpu(result: Result, language: str = "en") -> str:
         raise ReportError("block 'front_gpu' needs an exact warm row of a million spheres")
     known = {"ms": words.number(row.median_ms), "gpu": result.gpu.name}
     return tell(language, "front_gpu", **known, commit=result.context["commit"][:8])
-
-
-def wrong(verification: Verification, language: str = "en") -> str:
-    """Wrong answers to the stress catalogue: ours, then each library's."""
-    asked = [row for row in verification.stress if row.asks != "refusal"]
-    parts = []
-    for owner, rows in readme_guarantee.by_owner(asked).items():
-        counts = {"wrong": readme_guarantee.wrong(rows), "answers": readme_guarantee.answered(rows)}
-        known = {key: words.grouped(count) for key, count in counts.items()}
-        parts.append(tell(language, "front_owner", owner=owner, **known))
-    return tell(language, "front_wrong", owners=listed(parts, language))

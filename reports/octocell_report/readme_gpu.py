@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from statistics import median
 
+import pandas as pd
+
 from octocell_report import bandwidth, tables, words
 from octocell_report.bandwidth import Rate
 from octocell_report.fields import ReportError
@@ -36,7 +38,7 @@ def speed(result: Result) -> str:
         f"that size ({names}). Ratios are its time by ours, warm, within interleaved rounds, "
         f"median; above 1 ours is faster. {words.NONE}: not measured."
     )
-    return table(header, lines, note)
+    return table(pd.DataFrame(lines, columns=header), note)
 
 
 def _speeds(result: Result, place: Place, others: list[str]) -> list[str]:
@@ -110,7 +112,9 @@ def stages(result: Result) -> str:
     if any(rate.tiny for row in rows for rate in bandwidth.rates(result, row)):
         limit = f"{bandwidth.LAUNCH_US:g}"
         note += f" In brackets: so few bytes that copying them takes less than {limit} µs."
-    return table(header, lines, " ".join([note, *(f"{text}." for text in held)]))
+    return table(
+        pd.DataFrame(lines, columns=header), " ".join([note, *(f"{text}." for text in held)])
+    )
 
 
 def _staged(result: Result) -> list[Row]:

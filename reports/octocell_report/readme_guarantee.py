@@ -3,67 +3,73 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
-from itertools import groupby
+from collections.abc import Callable
+from typing import Any
 
-from octocell_report import words
-from octocell_report.markdown import table
-from octocell_report.verification import (
-    ENDINGS,
-    SIDES,
-    Mutant,
-    NearTangent,
-    Source,
-    StressRow,
-    Verification,
-)
+from pandas import DataFrame
+
+from octocell_report.language import listed, tell
+from octocell_report.markdown import code, table
+from octocell_report.verification import ENDINGS, LOSSES, SIDES, Verification
+from octocell_report.words import NONE, family, family_title, grouped
 
 NOT_RUN = "not run"
-OURS, LIBRARIES = "Octocell", ("fcl", "bullet")  # columns
-_NONE = [words.NONE] * len(LIBRARIES)
+OWNERS = ("Octocell", "FCL", "Bullet")  # columns
 
 
-def guarantee(verification: Verification) -> str:
+def guarantee(found: Verification) -> str:
     """The one table: ours beside the libraries, where the same was asked of them."""
-    lines = [
-        *_near_tangent(verification),
-        *_stress(verification),
-        ["inputs made by fuzzers", _fuzzed(verification), *_NONE],
-        ["faults planted in the sources and found", _killed(verification), *_NONE],
-        ["compilers and flags with one checksum", _configurations(verification), *_NONE],
-        ["reports of sanitizers", _reports(verification), *_NONE],
+    stress = found["stress"]
+    bad = stress["asks"] == "refusal"
+    lines = [line for side in SIDES for line in _near_tangent(found["near_tangent"], side)]
+    lines += [
+        [_catalogue(stress), *_by_owner(stress[~bad], _answers)],
+        ["– wrong answers", *_by_owner(stress[~bad], lambda rows: _bold(rows["wrong"].sum()))],
+        ["– pairs missed, false, given again", *_by_owner(stress[~bad], _losses)],
+        [
+            "– crashed or too late",
+            *_by_owner(stress[~bad], lambda rows: _bold(rows[["crashed", "late"]].sum().sum())),
+        ],
+        ["bad inputs tried, rejected by name", *_by_owner(stress[bad], _rejected)],
+        ["inputs made by fuzzers", _told(found["fuzz"], _fuzzed)],
+        ["faults planted in the sources and found", _told(_best(found["mutants"]), _killed)],
+        ["compilers and flags with one checksum", _told(found["compilers"], _configurations)],
+        ["reports of sanitizers", _told(found["sanitizers"], _reports)],
     ]
-    header = ["", OURS, *map(words.family_title, LIBRARIES)]
     note = (
         "A near-tangent pair is one with |D − R| ≤ 64 u R: its squared distance is so near to the "
         "square of the sum of radii that float32 may fail to tell; each was decided and compared "
         "with integers. Where nothing was wrong, 3/N bounds the rate with 95 %. "
-        f"{words.NONE}: not asked of a library. Libraries run with our exact test of a pair, so "
+        f"{NONE}: not asked of a library. Libraries run with our exact test of a pair, so "
         "that what they miss their broad phases lost."
     )
-    return "\n".join([table(header, lines, note), "", _sources(_all_sources(verification))])
+    told = table(DataFrame(lines, columns=["", *OWNERS]), note)
+    return f"{told}\n\n{_sources(*found.values())}"
 
 
-def _near_tangent(verification: Verification) -> list[list[str]]:
-    found = []
-    for side in SIDES:
-        ties = [tie for tie in verification.near_tangent if tie.where == side]
-        families = len({tie.family for tie in ties})
-        tried = f"{words.grouped(_pairs(ties))} in {families} families" if ties else NOT_RUN
-        found.append([f"near-tangent pairs decided, {side}", tried, *_NONE])
-        found.append(["– of these wrong", _mismatches(ties), *_NONE])
-    return found
+def _told(rows: DataFrame, show: Callable[[DataFrame], str]) -> str:
+    return NOT_RUN if rows.empty else show(rows)
 
 
-def _pairs(ties: Iterable[NearTangent]) -> int:
-    return sum(tie.pairs for tie in ties)
+def _bold(count: int) -> str:
+    return f"**{grouped(count)}**" if count else "0"
 
 
-def _mismatches(ties: list[NearTangent]) -> str:
-    wrong, pairs = sum(tie.mismatches for tie in ties), _pairs(ties)
-    if not pairs:
-        return NOT_RUN
-    return f"**{words.grouped(wrong)}**" if wrong else f"0 (rate below {bound(pairs)})"
+def _near_tangent(ties: DataFrame, side: str) -> list[list[str]]:
+    here = ties[ties["where"] == side]
+    families = here["name"].nunique()
+    return [
+        [
+            f"near-tangent pairs decided, {side}",
+            _told(here, lambda rows: f"{grouped(rows['pairs'].sum())} in {families} families"),
+        ],
+        ["– of these wrong", _told(here[here["pairs"] > 0], _mismatches)],
+    ]
+
+
+def _mismatches(ties: DataFrame) -> str:
+    wrong = ties["mismatches"].sum()
+    return _bold(wrong) if wrong else f"0 (rate below {bound(ties['pairs'].sum())})"
 
 
 def bound(trials: int) -> str:
@@ -73,235 +79,177 @@ def bound(trials: int) -> str:
     return f"{mantissa} · 10{superscripts}"
 
 
-def _stress(verification: Verification) -> list[list[str]]:
+def _catalogue(stress: DataFrame) -> str:
+    entries = stress["entry"].nunique()
+    families = stress["entry"].str.rstrip("0123456789").nunique()  # 'C' of 'C18'
+    return f"stress catalogue ({families} families, {entries} entries): answers"
+
+
+def owners(rows: DataFrame) -> dict[str, DataFrame]:
+    """Rows of the stress catalogue: ours, then library by library."""
+    families = rows["backend"].map(family).map(family_title)
+    found = families.where(rows["kind"] == "baseline", OWNERS[0])
+    return {owner: rows[found == owner] for owner in OWNERS}
+
+
+def _by_owner(rows: DataFrame, show: Callable[[DataFrame], str]) -> list[str]:
+    return [_told(own, show) for own in owners(rows).values()]
+
+
+def answered(rows: DataFrame) -> int:
+    return int(rows[["exact", "late", "crashed", "wrong"]].sum().sum())
+
+
+def _answers(rows: DataFrame) -> str:
     """Questions, not scenes: each scene is asked of every implementation."""
-    entries = {row.entry for row in verification.stress}
-    families = len({row.family for row in verification.stress})
-    asked = [row for row in verification.stress if row.asks != "refusal"]
-    bad = [row for row in verification.stress if row.asks == "refusal"]
-    title = "stress catalogue"
-    if entries:
-        title += f" ({families} families, {len(entries)} entries)"
-    return [
-        [f"{title}: answers", *_columns(asked, _answers)],
-        ["– wrong answers", *_columns(asked, lambda rows: _bold(_ended(rows, "wrong")))],
-        ["– pairs missed, false, given again", *_columns(asked, _losses)],
-        [
-            "– crashed or too late",
-            *_columns(asked, lambda rows: _bold(_ended(rows, "crashed", "late"))),
-        ],
-        ["bad inputs tried, rejected by name", *_columns(bad, _rejected)],
-    ]
+    return f"{grouped(answered(rows))} by {rows['implementation'].nunique()} implementations"
 
 
-def by_owner(rows: list[StressRow]) -> dict[str, list[StressRow]]:
-    """Ours, then library by library."""
-    owners = {"Octocell": [row for row in rows if row.kind == "backend"]}
-    for family in LIBRARIES:
-        owners[words.family_title(family)] = [
-            r for r in rows if r.kind == "baseline" and words.family(r.backend) == family
-        ]
-    return owners
+def _losses(rows: DataFrame) -> str:
+    counts = rows[[*LOSSES]].sum()
+    text = ", ".join(map(grouped, counts))
+    return f"**{text}**" if counts.any() else text
 
 
-def _columns(rows: list[StressRow], show: Callable[[list[StressRow]], str]) -> list[str]:
-    return [show(own) if own else NOT_RUN for own in by_owner(rows).values()]
-
-
-def wrong(rows: list[StressRow]) -> int:
-    return _ended(rows, "wrong")
-
-
-def _ended(rows: Iterable[StressRow], *endings: str) -> int:
-    return sum(row.cases[ending] for row in rows for ending in endings)
-
-
-def answered(rows: Iterable[StressRow]) -> int:
-    return _ended(rows, *(ending for ending in ENDINGS if ending not in ("skipped", "refused")))
-
-
-def _answers(rows: list[StressRow]) -> str:
-    implementations = len({row.implementation for row in rows})
-    return f"{words.grouped(answered(rows))} by {implementations} implementations"
-
-
-def _losses(rows: list[StressRow]) -> str:
-    counts = [sum(getattr(row, kind) for row in rows) for kind in ("missed", "false", "duplicates")]
-    text = ", ".join(map(words.grouped, counts))
-    return f"**{text}**" if any(counts) else text
-
-
-def _bold(count: int) -> str:
-    return f"**{words.grouped(count)}**" if count else "0"
-
-
-def _rejected(rows: list[StressRow]) -> str:
+def _rejected(rows: DataFrame) -> str:
     """An answer to a bad input is exact if it is the error that names the sphere."""
     tried = answered(rows)
-    return f"{_ended(rows, 'exact')} of {tried}" if tried else words.NONE
+    return f"{rows['exact'].sum()} of {tried}" if tried else NONE
 
 
-def _fuzzed(verification: Verification) -> str:
-    if not verification.fuzz:
-        return NOT_RUN
-    runs, crashes = (sum(getattr(t, key) for t in verification.fuzz) for key in ("runs", "crashes"))
-    return f"{words.grouped(runs)}, failures: {_bold(crashes)}"
+def _fuzzed(targets: DataFrame) -> str:
+    return f"{grouped(targets['runs'].sum())}, failures: {_bold(targets['crashes'].sum())}"
 
 
-def _killed(verification: Verification) -> str:
-    verdicts = _best(verification.mutants)
-    tried = [mutant for mutant in verdicts if mutant.status != "not_run"]
+def _best(faults: DataFrame) -> DataFrame:
+    """A fault not run on one machine may have run on another; a survival counts first."""
+    order = {"survived": 0, "killed": 1, "not_run": 2}
+    ranked = faults.sort_values("status", key=lambda status: status.map(order), kind="stable")
+    best = ranked.drop_duplicates("name").set_index("name")
+    return best.loc[faults["name"].unique()].reset_index()
+
+
+def _killed(faults: DataFrame) -> str:
+    counts = (
+        faults["status"].value_counts().reindex(["killed", "survived", "not_run"], fill_value=0)
+    )
+    tried = counts["killed"] + counts["survived"]
     if not tried:
         return NOT_RUN
-    killed = sum(mutant.status == "killed" for mutant in tried)
-    text = f"{killed} of {len(tried)}"
-    rest = len(verdicts) - len(tried)
-    return (text if killed == len(tried) else f"**{text}**") + (
-        f" ({rest} not run)" if rest else ""
-    )
+    text = f"{counts['killed']} of {tried}"
+    text = f"**{text}**" if counts["survived"] else text
+    return f"{text} ({counts['not_run']} not run)" if counts["not_run"] else text
 
 
-def _best(mutants: list[Mutant]) -> list[Mutant]:
-    """A fault not run on one machine may have run on another; a survival counts first."""
-    order = ("survived", "killed", "not_run")
-    found: dict[str, Mutant] = {}
-    for mutant in sorted(mutants, key=lambda m: order.index(m.status)):
-        found.setdefault(mutant.name, mutant)
-    names = dict.fromkeys(mutant.name for mutant in mutants)
-    return [found[name] for name in names]
+def _configurations(files: DataFrame) -> str:
+    total, failures = (int(files[of].map(len).sum()) for of in ("configurations", "failures"))
+    return f"**{failures} failures in {total}**" if failures else str(total)
 
 
-def _configurations(verification: Verification) -> str:
-    if not verification.compilers:
-        return NOT_RUN
-    total = sum(len(matrix.configurations) for matrix in verification.compilers)
-    failures = sum(len(matrix.failures) for matrix in verification.compilers)
-    return f"{total}" if not failures else f"**{failures} failures in {total}**"
-
-
-def _reports(verification: Verification) -> str:
-    if not verification.sanitizers:
-        return NOT_RUN
-    tests = sum(tool.tests for tool in verification.sanitizers)
+def _reports(tools: DataFrame) -> str:
     # "memcheck, frames": what was run under it is for the table of the details.
-    names = ", ".join(dict.fromkeys(tool.name.split(",")[0] for tool in verification.sanitizers))
-    reports = _bold(sum(tool.reports for tool in verification.sanitizers))
-    return f"{reports} in {words.grouped(tests)} tests ({names})"
+    names = ", ".join(tools["name"].str.split(",").str[0].unique())
+    tests = grouped(tools["tests"].sum())
+    return f"{_bold(tools['reports'].sum())} in {tests} tests ({names})"
 
 
-def _all_sources(verification: Verification) -> list[Source]:
-    lists: tuple[list[object], ...] = tuple(vars(verification).values())
-    sources = [item.source for items in lists for item in items]  # type: ignore[attr-defined]
-    return list(dict.fromkeys(sources))
-
-
-def _sources(sources: list[Source]) -> str:
+def _sources(*frames: DataFrame) -> str:
     """Which files this was written from."""
-    if not sources:
-        return "From no file yet."
-    parts = [f"`{s.title}` ({s.commit[:12]}, {s.date[:10]})" for s in sources]
-    return f"From {', '.join(parts)}."
+    names = dict.fromkeys(name for frame in frames for name in frame["source"])
+    return f"From {', '.join(names)}." if names else "From no file yet."
 
 
-def near_tangent(verification: Verification) -> str:
-    """By family, and where it ran."""
-    ties = verification.near_tangent
-    lines = [
-        [tie.family, tie.where, tie.source.machine, words.grouped(tie.pairs), _bold(tie.mismatches)]
-        for tie in ties
-    ]
-    lines.append(["all", "", "", words.grouped(_pairs(ties)), _mismatches(ties)])
-    return _told(["family", "where", "machine", "near-tangent pairs", "wrong"], lines, ties)
+def _detailed(rows: DataFrame, lines: DataFrame, note: str = "") -> str:
+    """A table with its sources; of a kind without a file, that it was not run."""
+    return table(lines, f"{note} {_sources(rows)}".strip()) if len(rows) else "Not run yet."
 
 
-def stress(verification: Verification) -> str:
-    """By implementation: how its cases ended."""
-    lines = []
-    rows = sorted(verification.stress, key=lambda row: row.kind)  # backends first, else as met
-    for name in dict.fromkeys(row.implementation for row in rows):
-        own = [row for row in rows if row.implementation == name]
-        endings = [words.grouped(_ended(own, ending)) for ending in ENDINGS[:3]]
-        endings += [_bold(_ended(own, ending)) for ending in ENDINGS[3:]]
-        lines.append([name, *endings, _losses(own)])
-    return _told(
-        ["implementation", *ENDINGS, "missed, false, given again"], lines, verification.stress
-    )
-
-
-def compilers(verification: Verification) -> str:
-    lines = []
-    for matrix in verification.compilers:
-        for compiler, names in groupby(matrix.configurations, key=lambda name: name.split()[0]):
-            flags = [name.removeprefix(compiler).strip() for name in names]
-            lines.append(
-                [compiler, matrix.source.machine, str(len(flags)), f"`{'`, `'.join(flags)}`"]
-            )
-    header = ["compiler", "machine", "configurations", "flags"]
-    failures = sum(len(matrix.failures) for matrix in verification.compilers)
-    checksums = max((matrix.checksums for matrix in verification.compilers), default=0)
-    refused = sorted(
-        {name.split()[-1] for matrix in verification.compilers for name in matrix.refused}
-    )
-    note = f"{checksums} checksums each; failures: {_bold(failures)}."
-    if refused:
-        note += f" Refused at compile time: `{'`, `'.join(refused)}`."
-    return _told(header, lines, verification.compilers, note)
-
-
-def mutants(verification: Verification) -> str:
-    lines = [
-        [f"`{mutant.name}`", mutant.what, _status(mutant), mutant.killed_by or words.NONE]
-        for mutant in _best(verification.mutants)
-    ]
-    return _told(["fault", "what is wrong", "", "found by"], lines, verification.mutants)
-
-
-def _status(mutant: Mutant) -> str:
-    if mutant.status == "survived":
-        return "**survived**"
-    return (
-        "killed" if mutant.status == "killed" else f"not run: {mutant.reason or 'no reason given'}"
-    )
-
-
-def fuzz(verification: Verification) -> str:
-    lines = [
-        [
-            f"`{t.name}`",
-            t.source.machine,
-            words.grouped(t.runs),
-            words.grouped(t.seconds),
-            _bold(t.crashes),
-        ]
-        for t in verification.fuzz
-    ]
-    return _told(["target", "machine", "inputs", "seconds", "failures"], lines, verification.fuzz)
-
-
-def sanitizers(verification: Verification) -> str:
-    lines = [
-        [tool.name, tool.source.machine, words.grouped(tool.tests), _bold(tool.reports)]
-        for tool in verification.sanitizers
-    ]
-    return _told(["tool", "machine", "tests", "reports"], lines, verification.sanitizers)
-
-
-def _told(
-    header: list[str], lines: list[list[str]], items: Sequence[object], note: str = ""
-) -> str:
-    """What the items' lines are; of a kind without a file, that it was not run."""
-    if not items:
-        return "Not run yet."
-    sources = dict.fromkeys(item.source for item in items)  # type: ignore[attr-defined]
-    return table(header, lines, f"{note} {_sources(list(sources))}".strip())
-
-
-BLOCKS: dict[str, Callable[[Verification], str]] = {
-    "guarantee": guarantee,
-    "guarantee_near_tangent": near_tangent,
-    "guarantee_stress": stress,
-    "guarantee_compilers": compilers,
-    "guarantee_mutants": mutants,
-    "guarantee_fuzz": fuzz,
-    "guarantee_sanitizers": sanitizers,
+# Of the kinds whose table has a line for each line of the frame: titles, columns, how they read.
+_COLUMNS: dict[str, dict[str, tuple[str, Callable[[Any], str]]]] = {
+    "near_tangent": {
+        **{"family": ("name", str), "where": ("where", str), "machine": ("machine", str)},
+        **{"near-tangent pairs": ("pairs", grouped), "wrong": ("mismatches", _bold)},
+    },
+    "mutants": {
+        **{"fault": ("name", code), "what is wrong": ("what", str)},
+        **{"": ("status", str), "found by": ("killed_by", str)},
+    },
+    "fuzz": {
+        **{"target": ("name", code), "machine": ("machine", str), "inputs": ("runs", grouped)},
+        **{"seconds": ("seconds", grouped), "failures": ("crashes", _bold)},
+    },
+    "sanitizers": {
+        **{"tool": ("name", str), "machine": ("machine", str)},
+        **{"tests": ("tests", grouped), "reports": ("reports", _bold)},
+    },
 }
+
+
+def _lines(kind: str, rows: DataFrame) -> DataFrame:
+    shown = {title: rows[of].map(show, "ignore") for title, (of, show) in _COLUMNS[kind].items()}
+    return DataFrame(shown)
+
+
+def near_tangent(found: Verification) -> str:
+    """By family, and where it ran."""
+    ties = found["near_tangent"]
+    lines = _lines("near_tangent", ties)
+    wrong = _told(ties[ties["pairs"] > 0], _mismatches)
+    lines.loc[len(lines)] = ["all", "", "", grouped(ties["pairs"].sum()), wrong]
+    return _detailed(ties, lines)
+
+
+def mutants(found: Verification) -> str:
+    faults = _best(found["mutants"])
+    reasons = "not run: " + faults["reason"].fillna("no reason given")
+    status = faults["status"].replace("survived", "**survived**")
+    told = faults.assign(status=status.mask(status == "not_run", reasons))
+    return _detailed(found["mutants"], _lines("mutants", told))
+
+
+def fuzz(found: Verification) -> str:
+    return _detailed(found["fuzz"], _lines("fuzz", found["fuzz"]))
+
+
+def sanitizers(found: Verification) -> str:
+    return _detailed(found["sanitizers"], _lines("sanitizers", found["sanitizers"]))
+
+
+def stress(found: Verification) -> str:
+    """By implementation, backends first: how its cases ended."""
+    rows = found["stress"].sort_values("kind", kind="stable")
+    by = rows.groupby("implementation", sort=False)
+    lines = by[[*ENDINGS]].sum().map(grouped)
+    lines[[*ENDINGS[3:]]] = by[[*ENDINGS[3:]]].sum().map(_bold)
+    lines["missed, false, given again"] = [_losses(own) for _, own in by]
+    return _detailed(found["stress"], lines.reset_index())
+
+
+def compilers(found: Verification) -> str:
+    files = found["compilers"]
+    every = files.explode("configurations", ignore_index=True)
+    every[["compiler", "flags"]] = every["configurations"].str.extract(r"(\S+)\s*(.*)")
+    by = every.groupby(["compiler", "machine"], sort=False)["flags"]
+    lines = by.agg(configurations="size", flags=lambda flags: ", ".join(map(code, flags)))
+    refused = sorted({name.split()[-1] for name in files["refused"].sum() or ()})
+    failures = files["failures"].map(len).sum()
+    note = f"{files['checksums'].max()} checksums each; failures: {_bold(failures)}."
+    if refused:
+        note += f" Refused at compile time: {', '.join(map(code, refused))}."
+    return _detailed(files, lines.reset_index(), note)
+
+
+def front(found: Verification, language: str = "en") -> str:
+    """The README's number: wrong answers to the stress catalogue, ours, then each library's."""
+    rows = found["stress"]
+    parts = [
+        tell(
+            language,
+            "front_owner",
+            owner=owner,
+            wrong=grouped(own["wrong"].sum()),
+            answers=grouped(answered(own)),
+        )
+        for owner, own in owners(rows[rows["asks"] != "refusal"]).items()
+    ]
+    return tell(language, "front_wrong", owners=listed(parts, language))

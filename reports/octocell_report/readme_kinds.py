@@ -10,6 +10,8 @@ from collections import Counter
 from pathlib import Path
 from statistics import median, mode
 
+import pandas as pd
+
 from octocell_report import dynamic, tables, words
 from octocell_report.fields import ReportError
 from octocell_report.load import Group, Impl, Place, Result, Row
@@ -44,7 +46,9 @@ def against(result: Result) -> str:
         f"{best.impl.threads} thread, median of {len(best.round_ms)} interleaved rounds. Times as "
         f"long: its time by that of the first row, median of the rounds, {_INTERVAL}."
     )
-    return table(["implementation", "time [ms]", "times as long"], lines, note)
+    return table(
+        pd.DataFrame(lines, columns=["implementation", "time [ms]", "times as long"]), note
+    )
 
 
 def kinds_cold(result: Result) -> str:
@@ -80,7 +84,7 @@ def _kinds(result: Result, run: str) -> str:
         f"Of {reference}: time per sphere and true pair by the time per sphere and true pair "
         f"there, median over the rounds, {_INTERVAL}."
     )
-    return table(header, lines, note)
+    return table(pd.DataFrame(lines, columns=header), note)
 
 
 def _kind(result: Result, row: Row | None, first: Row | None) -> list[str]:
@@ -135,7 +139,7 @@ def frames(result: Result) -> str:
         "interleaved, with no frame taking over from the last. Of the same without flags: the same "
         "spheres move, but nothing says that the others stand; measured one after the other."
     )
-    return table(header, lines, note)
+    return table(pd.DataFrame(lines, columns=header), note)
 
 
 def _without_flags(place: Place) -> Place:

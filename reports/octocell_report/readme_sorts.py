@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from statistics import median
 
+import pandas as pd
+
 from octocell_report import words
 from octocell_report.fields import ReportError
 from octocell_report.markdown import table
@@ -44,7 +46,7 @@ def sorts(result: SortResult) -> str:
         f"10⁹ pairs a second{where} (32-bit key, 32-bit value), keys in {ORDER} order, median of "
         f"the rounds; in brackets the rate by {TITLES[REFERENCE]}'s, above 1 is faster."
     )
-    return table(header, lines, note)
+    return table(pd.DataFrame(lines, columns=header), note)
 
 
 def _cell(row: SortRow | None, reference: SortRow | None) -> str:

@@ -1,275 +1,203 @@
 # SPDX-License-Identifier: MIT
-"""What was done to find a wrong answer, as files in the folders of results: read and checked.
+"""What was done to find a wrong answer: the files of a folder, checked, as one frame for each kind.
 
 A file's name says its kind: near_tangent.json and near_tangent_gpu.json hold near-tangent pairs.
-It lies in the folder given, or in one below it that is named after the machine.
+It lies in the folder, or in one below it that is named after the machine.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from collections.abc import Iterable
+from functools import partial
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Annotated, Any, TypeAlias
 
-from octocell_report.fields import (
-    Fields,
-    ReportError,
-    is_bool,
-    is_filled,
-    is_filled_texts,
-    is_list,
-    is_number,
-    is_object,
-    is_text,
-    is_texts,
-    is_whole,
-    one_of,
-    or_null,
-)
+import pandas as pd
+from msgspec import Meta, Struct, to_builtins
+
+from octocell_report.fields import Name, Number, ReportError, Text, choice, convert
 from octocell_report.files import read_json
 
 ENDINGS = ("exact", "skipped", "refused", "late", "crashed", "wrong")  # of a stress case
-MUTANTS = ("killed", "survived", "not_run")
+LOSSES = ("missed", "false", "duplicates")
 SIDES = ("CPU", "GPU")
+# What the frame of each kind holds, beside "machine" and "source" (the file, as documents name it).
+COLUMNS = {
+    "near_tangent": ("where", "name", "pairs", "mismatches"),
+    "stress": ("entry", "asks", "implementation", "backend", "kind", *ENDINGS, *LOSSES),
+    "compilers": ("configurations", "checksums", "failures", "refused"),
+    "fuzz": ("name", "runs", "seconds", "crashes"),
+    "mutants": ("name", "what", "status", "killed_by", "reason"),
+    "sanitizers": ("name", "tests", "reports"),
+}
+Verification: TypeAlias = dict[str, pd.DataFrame]  # by kind; of an absent one without a line
+
+Count = Annotated[int, Meta(ge=0, le=2**53)]  # so that sums fit into 64 bits
 
 
-@dataclass(frozen=True)
-class Source:
-    """A file, and of which machine and commit it tells."""
+class Context(Struct):
+    date: Text
+    commit: Text
+    finished: bool = True
 
-    path: Path
-    date: str
-    commit: str
-
-    @property
-    def machine(self) -> str:
-        return self.path.parent.name
-
-    @property
-    def title(self) -> str:
-        """'epyc/stress.json'"""
-        return f"{self.machine}/{self.path.name}"
+    def __post_init__(self) -> None:
+        if not self.finished:
+            raise ValueError("The run was interrupted; only whole runs count")
 
 
-@dataclass(frozen=True)
-class NearTangent:
-    """Pairs within 64 units of rounding of touching, decided and held against integers."""
+class File(Struct):
+    context: Context
 
-    source: Source
-    where: str  # of SIDES
-    family: str
-    pairs: int
-    mismatches: int
+    def lines(self) -> Iterable[dict[str, Any]]:
+        """Those of the frame; here the items of the one list that the file holds."""
+        (items,) = (value for value in to_builtins(self).values() if isinstance(value, list))
+        return items
 
 
-@dataclass(frozen=True)
-class StressRow:
-    """One entry of the catalogue by one implementation."""
+class Family(Struct):
+    """Pairs within 64 units of rounding of touching, decided and compared with integers."""
 
-    source: Source
-    entry: str
-    asks: str
-    implementation: str
-    backend: str
-    kind: str
-    cases: dict[str, int]  # by how they ended
-    missed: int
-    false: int
-    duplicates: int
+    name: Name
+    pairs: Count
+    mismatches: Count
 
-    @property
-    def family(self) -> str:
-        """'C' of 'C18'."""
-        return self.entry.rstrip("0123456789")
+    def __post_init__(self) -> None:
+        if self.mismatches > self.pairs:
+            raise ValueError("More mismatches than pairs")
 
 
-@dataclass(frozen=True)
-class Matrix:
-    """Compilers and their flags."""
+class NearTangent(File):
+    where: Annotated[str, choice(*SIDES)]
+    families: Annotated[list[Family], Meta(min_length=1)]
 
-    source: Source
-    configurations: list[str]
-    checksums: int  # that each of them printed
-    failures: list[str]
-    refused: list[str]  # compilers with flags that must not compile
+    def lines(self) -> Iterable[dict[str, Any]]:
+        return ({"where": self.where, **line} for line in super().lines())
 
 
-@dataclass(frozen=True)
-class Target:
+class Entry(Struct):
+    """A line of the stress catalogue."""
+
+    id: Name
+    asks: Text
+
+
+class Cases(Struct):
+    """How many ended in which way."""
+
+    exact: Count
+    skipped: Count
+    refused: Count
+    late: Count
+    crashed: Count
+    wrong: Count
+
+
+class StressRow(Struct):
+    """One entry by one implementation."""
+
+    entry: Name
+    implementation: Name
+    backend: Name
+    kind: Annotated[str, choice("backend", "baseline")]
+    cases: Cases
+    missed: Count
+    false: Count
+    duplicates: Count
+
+
+class Stress(File):
+    entries: list[Entry]
+    rows: Annotated[list[StressRow], Meta(min_length=1)]
+
+    def lines(self) -> Iterable[dict[str, Any]]:
+        asks = {entry.id: entry.asks for entry in self.entries}
+        for row in self.rows:
+            if row.entry not in asks:
+                raise ReportError(f"no entry has the id '{row.entry}'")
+            yield to_builtins(row) | to_builtins(row.cases) | {"asks": asks[row.entry]}
+
+
+class Compilers(File):
+    configurations: Annotated[list[Name], Meta(min_length=1)]
+    checksums: Count  # that each of them printed
+    failures: list[Text]
+    refused: list[Name]  # compilers with flags that must not compile
+
+    def lines(self) -> Iterable[dict[str, Any]]:
+        return [to_builtins(self)]
+
+
+class Target(Struct):
     """What a fuzzer was let loose on."""
 
-    source: Source
-    name: str
-    runs: int
-    seconds: float
-    crashes: int
+    name: Name
+    runs: Count
+    seconds: Number
+    crashes: Count
 
 
-@dataclass(frozen=True)
-class Mutant:
-    """A fault planted in the sources."""
-
-    source: Source
-    name: str
-    what: str
-    status: str  # of MUTANTS
-    killed_by: str | None
-    reason: str | None
+class Fuzz(File):
+    targets: Annotated[list[Target], Meta(min_length=1)]
 
 
-@dataclass(frozen=True)
-class Tool:
+class Fault(Struct):
+    """One planted in the sources."""
+
+    name: Name
+    what: Text
+    status: Annotated[str, choice("killed", "survived", "not_run")]
+    killed_by: Text | None
+    reason: Text | None = None
+
+    def __post_init__(self) -> None:
+        if self.status == "killed" and not (self.killed_by or "").strip():
+            raise ValueError("Killed, but 'killed_by' does not say by what")
+
+
+class Mutants(File):
+    faults: Annotated[list[Fault], Meta(min_length=1)]
+
+
+class Tool(Struct):
     """A sanitizer."""
 
-    source: Source
-    name: str
-    tests: int
-    reports: int
+    name: Name
+    tests: Count
+    reports: Count
 
 
-@dataclass
-class Verification:
-    near_tangent: list[NearTangent] = field(default_factory=list)
-    stress: list[StressRow] = field(default_factory=list)
-    compilers: list[Matrix] = field(default_factory=list)
-    fuzz: list[Target] = field(default_factory=list)
-    mutants: list[Mutant] = field(default_factory=list)
-    sanitizers: list[Tool] = field(default_factory=list)
+class Sanitizers(File):
+    tools: Annotated[list[Tool], Meta(min_length=1)]
 
 
-def read(folders: Iterable[Path]) -> Verification:
-    """Everything found there; an absent kind is an empty list. Throws ReportError on a bad file."""
-    found = Verification()
-    for folder in folders:
-        if not folder.is_dir():
-            raise ReportError(f"{folder}: is not a folder of results")
-        for kind in _READERS:
-            kinds = [f"{where}{kind}*.json{gz}" for where in ("", "*/") for gz in ("", ".gz")]
-            for path in sorted(path for name in kinds for path in folder.glob(name)):
-                getattr(found, kind).extend(_file(path, kind))
-    return found
-
-
-def _file(path: Path, kind: str) -> list[Any]:
-    def parse(document: Any) -> list[Any]:
-        fields = Fields(document, "result")
-        if fields.optional("kind", is_text) not in (None, kind):
-            raise ReportError(f"its kind is '{document['kind']}', and its name says '{kind}'")
-        return _READERS[kind](fields, _source(path, fields))
-
-    return read_json(path, parse)
-
-
-def _source(path: Path, document: Fields) -> Source:
-    context = Fields(document.take("context", is_object), "context")
-    if context.optional("finished", is_bool) is False:
-        raise ReportError("the run was interrupted; only whole runs count")
-    return Source(path, context.take("date", is_text), context.take("commit", is_text))
-
-
-_Item = TypeVar("_Item")
-
-
-def _items(document: Fields, key: str, make: Callable[[Fields], _Item]) -> list[_Item]:
-    """Each item of a list, its errors naming which."""
-    items = document.take(key, is_list)
-    if not items:
-        raise ReportError(f"{document.title}: '{key}' is empty")
-    found = []
-    for index, item in enumerate(items):
-        fields = Fields(item, f"{key} {index}")
-        if isinstance(name := fields.value.get("name"), str):
-            fields.title = f"{key} {index} ({name})"
-        found.append(make(fields))
-    return found
-
-
-def _near_tangent(document: Fields, source: Source) -> list[NearTangent]:
-    where = document.take("where", one_of(*SIDES))
-
-    def make(item: Fields) -> NearTangent:
-        pairs, wrong = item.take("pairs", is_whole), item.take("mismatches", is_whole)
-        if wrong > pairs:
-            raise ReportError(f"{item.title}: more mismatches than pairs")
-        return NearTangent(source, where, item.take("name", is_filled), pairs, wrong)
-
-    return _items(document, "families", make)
-
-
-def _stress(document: Fields, source: Source) -> list[StressRow]:
-    entries = document.take("entries", is_list)
-    asks = {
-        fields.take("id", is_filled): fields.take("asks", is_text)
-        for fields in (Fields(item, f"entry {i}") for i, item in enumerate(entries))
-    }
-
-    def make(item: Fields) -> StressRow:
-        entry = item.take("entry", is_filled)
-        if entry not in asks:
-            raise ReportError(f"{item.title}: no entry has the id '{entry}'")
-        cases = Fields(item.take("cases", is_object), f"{item.title}: cases")
-        return StressRow(
-            source=source,
-            entry=entry,
-            asks=asks[entry],
-            implementation=item.take("implementation", is_filled),
-            backend=item.take("backend", is_filled),
-            kind=item.take("kind", one_of("backend", "baseline")),
-            cases={ending: cases.take(ending, is_whole) for ending in ENDINGS},
-            missed=item.take("missed", is_whole),
-            false=item.take("false", is_whole),
-            duplicates=item.take("duplicates", is_whole),
-        )
-
-    return _items(document, "rows", make)
-
-
-def _compilers(document: Fields, source: Source) -> list[Matrix]:
-    configurations = document.take("configurations", is_filled_texts)
-    if not configurations:
-        raise ReportError("result: 'configurations' is empty")
-    checksums = document.take("checksums", is_whole)
-    failures, refused = (
-        document.take("failures", is_texts),
-        document.take("refused", is_filled_texts),
-    )
-    return [Matrix(source, configurations, checksums, failures, refused)]
-
-
-def _fuzz(document: Fields, source: Source) -> list[Target]:
-    def make(item: Fields) -> Target:
-        name, runs = item.take("name", is_filled), item.take("runs", is_whole)
-        seconds, crashes = item.take("seconds", is_number), item.take("crashes", is_whole)
-        return Target(source, name, runs, float(seconds), crashes)
-
-    return _items(document, "targets", make)
-
-
-def _mutants(document: Fields, source: Source) -> list[Mutant]:
-    def make(item: Fields) -> Mutant:
-        status = item.take("status", one_of(*MUTANTS))
-        killed_by = item.take("killed_by", is_filled if status == "killed" else or_null(is_text))
-        reason = item.optional("reason", or_null(is_text))
-        name, what = item.take("name", is_filled), item.take("what", is_text)
-        return Mutant(source, name, what, status, killed_by, reason)
-
-    return _items(document, "faults", make)
-
-
-def _sanitizers(document: Fields, source: Source) -> list[Tool]:
-    def make(item: Fields) -> Tool:
-        tests, reports = item.take("tests", is_whole), item.take("reports", is_whole)
-        return Tool(source, item.take("name", is_filled), tests, reports)
-
-    return _items(document, "tools", make)
-
-
-_READERS: dict[str, Callable[[Fields, Source], list[Any]]] = {
-    "near_tangent": _near_tangent,
-    "stress": _stress,
-    "compilers": _compilers,
-    "fuzz": _fuzz,
-    "mutants": _mutants,
-    "sanitizers": _sanitizers,
+_FILES: dict[str, type[File]] = {
+    "near_tangent": NearTangent,
+    "stress": Stress,
+    "compilers": Compilers,
+    "fuzz": Fuzz,
+    "mutants": Mutants,
+    "sanitizers": Sanitizers,
 }
+
+
+def read(folder: Path) -> Verification:
+    """Everything found there. Throws ReportError on a bad file."""
+    if not folder.is_dir():
+        raise ReportError(f"{folder}: is not a folder of results")
+    return {kind: _frame(folder, kind) for kind in _FILES}
+
+
+def _frame(folder: Path, kind: str) -> pd.DataFrame:
+    names = [f"{where}{kind}*.json{gz}" for where in ("", "*/") for gz in ("", ".gz")]
+    paths = sorted(path for name in names for path in folder.glob(name))
+    lines = [line for path in paths for line in read_json(path, partial(_lines, path, kind))]
+    return pd.DataFrame(lines, columns=["machine", "source", *COLUMNS[kind]])
+
+
+def _lines(path: Path, kind: str, document: Any) -> list[dict[str, Any]]:
+    if isinstance(document, dict) and document.get("kind", kind) != kind:
+        raise ReportError(f"its kind is '{document['kind']}', and its name says '{kind}'")
+    file = convert(document, _FILES[kind])
+    machine, context = path.parent.name, file.context
+    source = f"`{machine}/{path.name}` ({context.commit[:12]}, {context.date[:10]})"
+    return [line | {"machine": machine, "source": source} for line in file.lines()]

@@ -19,7 +19,7 @@ from octocell_report import (
     page,
     page_ablation,
     plots,
-    readme,
+    readme_bench,
     spread,
     style,
     tables,
@@ -182,7 +182,7 @@ def test_variants_are_in_no_other_table_plot_or_sentence():
     assert tables.correctness(with_them) == tables.correctness(without)
     assert findings.overview(with_them) == findings.overview(without)
     assert findings.time(with_them, "warm") == findings.time(without, "warm")
-    assert readme.correctness(with_them) == readme.correctness(without)
+    assert readme_bench.correctness(with_them) == readme_bench.correctness(without)
     assert list(style.looks(with_them)) == list(style.looks(without))
     assert check.judge(with_them).exact == check.judge(without).exact == 3
 

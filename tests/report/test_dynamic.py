@@ -12,7 +12,7 @@ from octocell_report import (
     page,
     page_tables,
     plots,
-    readme,
+    readme_bench,
     style,
     tables,
     words,
@@ -167,8 +167,8 @@ def test_bad_frames_are_named(changes, message):
 
 
 def test_the_readme_holds_the_steady_frame_against_each_library():
-    block = readme.moving(result_of(*three()))
+    block = readme_bench.moving(result_of(*three()))
     size = words.grouped(1000)
     assert f"| gas_brownian | {size} | impl_cpu lowest_cell | 2.20 | 3.00× | 0.50× |" in block
     with pytest.raises(ReportError, match="needs a moving scene"):
-        readme.moving(parse(synthetic.document([group("gas", 1000)], [row()])))
+        readme_bench.moving(parse(synthetic.document([group("gas", 1000)], [row()])))

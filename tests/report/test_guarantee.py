@@ -12,7 +12,7 @@ from octocell_report.fields import ReportError
 import synthetic_guarantee
 from synthetic_guarantee import fault, save, stress_row
 
-MARKED = """<!-- octocell:guarantee -->
+MARKED = """<!-- octocell:guarantee results -->
 <!-- /octocell:guarantee -->
 """
 
@@ -24,7 +24,8 @@ def lines_of(block):
 
 
 def told(folder, block="guarantee"):
-    return lines_of(readme_guarantee.BLOCKS[block](verification.read([folder])))
+    read, write = readme.BLOCKS[block]
+    return lines_of(write(read(folder)))
 
 
 def test_the_table_adds_up_what_the_files_hold(tmp_path):
@@ -61,13 +62,13 @@ def test_the_table_adds_up_what_the_files_hold(tmp_path):
 
 
 def test_what_is_absent_was_not_run(tmp_path):
-    found = verification.read([save(tmp_path)])
+    found = verification.read(save(tmp_path))
     lines = lines_of(readme_guarantee.guarantee(found))
     ours = {cells[0] for title, cells in lines.items() if title not in ("", "---")}
     assert ours == {"not run"}
-    for name, block in readme_guarantee.BLOCKS.items():
-        if name != "guarantee":
-            assert block(found) == "Not run yet."
+    for name, (_, write) in readme.BLOCKS.items():
+        if name.startswith("guarantee_"):
+            assert write(found) == "Not run yet."
 
 
 @pytest.mark.parametrize(
@@ -91,7 +92,7 @@ def test_what_is_absent_was_not_run(tmp_path):
     ],
 )
 def test_what_broke_stands_out(tmp_path, kind, made, title, cell):
-    block = readme_guarantee.guarantee(verification.read([save(tmp_path, **{kind: made})]))
+    block = readme_guarantee.guarantee(verification.read(save(tmp_path, **{kind: made})))
     assert any(line.startswith(f"| {title} |") and cell in line for line in block.splitlines())
 
 
@@ -122,13 +123,13 @@ def test_details_have_a_line_each(tmp_path):
         "bullet_dbvt",
     ]
     assert stress["fcl_sap"] == ["3", "27", "0", "0", "0", "**1**", "**9, 0, 4**"]
-    compilers = readme_guarantee.compilers(verification.read([folder]))
+    compilers = readme_guarantee.compilers(verification.read(folder))
     assert "| g++ | epyc | 2 | `-O0`, `-O3 -mfma` |" in compilers
     assert "84 checksums each; failures: 0. Refused at compile time: `-Ofast`." in compilers
     assert told(folder, "guarantee_fuzz")["`fuzz_scenes`"][0] == "epyc"
     assert told(folder, "guarantee_sanitizers")["TSan"][1] == "198"
     assert "`epyc/stress.json` (0123456789ab, 2026-01-02)" in readme_guarantee.stress(
-        verification.read([folder])
+        verification.read(folder)
     )
 
 
@@ -144,24 +145,44 @@ def without(document, *path):
 @pytest.mark.parametrize(
     ("kind", "made", "message"),
     [
-        ("fuzz", [], "result: is not an object"),
+        ("fuzz", [], "Expected 'object', got 'array'"),
         ("fuzz", synthetic_guarantee.sanitizers(), "its kind is 'sanitizers', and its name says"),
-        ("fuzz", without(synthetic_guarantee.fuzz(), "targets"), "lacks the field 'targets'"),
-        ("fuzz", synthetic_guarantee.fuzz() | {"targets": []}, "'targets' is empty"),
-        ("fuzz", synthetic_guarantee.fuzz(-1), "targets 0 (fuzz_scenes): field 'crashes' is -1"),
-        ("near_tangent", synthetic_guarantee.near_tangent("TPU"), "field 'where' is \"TPU\""),
+        (
+            "fuzz",
+            without(synthetic_guarantee.fuzz(), "targets"),
+            "missing required field 'targets'",
+        ),
+        (
+            "fuzz",
+            synthetic_guarantee.fuzz() | {"targets": []},
+            "targets: Expected 'array' of length >= 1",
+        ),
+        ("fuzz", synthetic_guarantee.fuzz(-1), "targets[0].crashes (fuzz_scenes) is -1: Expected"),
+        (
+            "near_tangent",
+            synthetic_guarantee.near_tangent("TPU"),
+            'where is "TPU": ',
+        ),
         (
             "near_tangent",
             synthetic_guarantee.near_tangent(a=(1, 2)),
-            "(a): more mismatches than pairs",
+            "families[0] (a): More mismatches than pairs",
         ),
-        ("compilers", synthetic_guarantee.compilers(configurations=[]), "is empty"),
-        ("mutants", synthetic_guarantee.mutants(fault("a", killed_by=None)), "'killed_by' is null"),
-        ("mutants", synthetic_guarantee.mutants(fault("a", "fine")), "field 'status' is \"fine\""),
+        ("compilers", synthetic_guarantee.compilers(configurations=[]), "configurations: Expected"),
+        (
+            "mutants",
+            synthetic_guarantee.mutants(fault("a", killed_by=None)),
+            "faults[0] (a): Killed, but 'killed_by'",
+        ),
+        (
+            "mutants",
+            synthetic_guarantee.mutants(fault("a", "fine")),
+            'faults[0].status (a) is "fine": ',
+        ),
         (
             "stress",
             without(synthetic_guarantee.stress(), "rows", 0, "cases", "late"),
-            "rows 0: cases: lacks the field 'late'",
+            "rows[0].cases: Object missing required field 'late'",
         ),
         (
             "stress",
@@ -169,13 +190,17 @@ def without(document, *path):
             | {"rows": [stress_row("Z9", "impl_cpu planned", exact=1)]},
             "no entry has the id 'Z9'",
         ),
-        ("sanitizers", without(synthetic_guarantee.sanitizers(), "context", "commit"), "'commit'"),
+        (
+            "sanitizers",
+            without(synthetic_guarantee.sanitizers(), "context", "commit"),
+            "context: Object missing required field 'commit'",
+        ),
     ],
 )
 def test_bad_files_are_named(tmp_path, kind, made, message):
     folder = save(tmp_path, **{kind: made})
     with pytest.raises(ReportError) as caught:
-        verification.read([folder])
+        verification.read(folder)
     said = str(caught.value)
     assert said.startswith(f"{folder / 'epyc' / kind}.json: ") and message in said
     assert "\n" not in said
@@ -184,64 +209,49 @@ def test_bad_files_are_named(tmp_path, kind, made, message):
 def test_an_interrupted_run_does_not_count(tmp_path):
     made = synthetic_guarantee.stress()
     made["context"]["finished"] = False
-    with pytest.raises(ReportError, match="the run was interrupted; only whole runs count"):
-        verification.read([save(tmp_path, stress=made)])
+    with pytest.raises(ReportError, match="The run was interrupted; only whole runs count"):
+        verification.read(save(tmp_path, stress=made))
 
 
 def test_text_that_is_no_json_and_folders_that_are_none(tmp_path):
     folder = save(tmp_path)
     (folder / "epyc" / "fuzz.json").write_text("{")
     with pytest.raises(ReportError, match=r"fuzz\.json: not JSON"):
-        verification.read([folder])
+        verification.read(folder)
     with pytest.raises(ReportError, match="nowhere: is not a folder of results"):
-        verification.read([tmp_path / "nowhere"])
+        verification.read(tmp_path / "nowhere")
 
 
 def test_a_machine_s_folder_may_be_given_itself(tmp_path):
     folder = save(tmp_path, fuzz=synthetic_guarantee.fuzz())
-    assert (
-        len(verification.read([folder / "epyc"]).fuzz) == len(verification.read([folder]).fuzz) == 2
-    )
+    for given in (folder, folder / "epyc"):
+        assert len(verification.read(given)["fuzz"]) == 2
 
 
-def test_the_command_writes_checks_and_leaves_other_blocks_alone(tmp_path, capsys):
-    folder, path = synthetic_guarantee.save_all(tmp_path), tmp_path / "README.md"
-    path.write_text(f"{MARKED}<!-- octocell:speed -->\nmine\n<!-- /octocell:speed -->\n")
-    command = ["guarantee", str(folder), str(path)]
-    assert main([*command, "--check"]) == 1 and "mine" in path.read_text()
-    assert main(command) == 0 and main([*command, "--check"]) == 0
-    text = path.read_text()
-    assert "| 27 of 27 |" in text and "\nmine\n" in text
-    assert capsys.readouterr().out.splitlines() == [
-        f"{path}: differs: guarantee",
-        f"{path}: rewritten: guarantee",
-        f"{path}: up to date",
-    ]
-
-
-def test_a_marker_may_name_its_folder_by_the_path_from_its_file(tmp_path, monkeypatch):
+def test_the_command_writes_and_checks_several_pages(tmp_path, monkeypatch, capsys):
     synthetic_guarantee.save_all(tmp_path)
-    path = tmp_path / "docs" / "guarantee.md"
-    path.parent.mkdir()
-    path.write_text(
-        MARKED.replace("octocell:guarantee -->", "octocell:guarantee ../results -->", 1)
-    )
-    monkeypatch.chdir("/")
-    assert main(["guarantee", str(path)]) == 0
-    assert "| 27 of 27 |" in path.read_text()
+    pages = [tmp_path / "README.md", tmp_path / "docs" / "guarantee.md"]
+    pages[1].parent.mkdir()
+    pages[0].write_text(MARKED)
+    pages[1].write_text(MARKED.replace(" results", " ../results"))
+    monkeypatch.chdir("/")  # a source is named by its path from the page
+    command = ["readme", *map(str, pages)]
+    assert main([*command, "--check"]) == 1 and pages[0].read_text() == MARKED
+    assert main(command) == 0 and main([*command, "--check"]) == 0
+    assert all("| 27 of 27 |" in page.read_text() for page in pages)
+    verbs = ("differs: guarantee ", "rewritten: guarantee ", "up to date")
+    said = capsys.readouterr().out.splitlines()
+    assert [
+        line.startswith(f"{page}: {verb}")
+        for line, (verb, page) in zip(
+            said, ((verb, page) for verb in verbs for page in pages), strict=True
+        )
+    ] == [True] * 6
 
 
-def test_a_marker_without_a_folder_needs_one(tmp_path, capsys):
+def test_a_marker_must_name_its_folder(tmp_path, capsys):
     path = tmp_path / "README.md"
-    path.write_text(MARKED)
-    assert main(["guarantee", str(path)]) == 2
-    assert "marker 'octocell:guarantee' must name its result" in capsys.readouterr().err
-    assert main(["guarantee", str(tmp_path)]) == 2
-    assert "names no .md file" in capsys.readouterr().err
-
-
-def test_the_readme_command_writes_them_too(tmp_path):
-    folder = synthetic_guarantee.save_all(tmp_path)
-    text = MARKED.replace("guarantee -->", f"guarantee {folder} -->", 1)
-    fresh, differing = readme.filled(None, text)
-    assert differing == [f"guarantee {folder}"] and "27 of 27" in fresh
+    path.write_text(MARKED.replace(" results", ""))
+    assert main(["readme", str(path)]) == 2
+    said = capsys.readouterr().err
+    assert "marker 'octocell:guarantee' must name what it is written from" in said

@@ -165,7 +165,7 @@ def test_nothing_measured_is_no_traceback(tmp_path, save, outcome):
 @pytest.mark.parametrize("name", [b"a\nb", b"\x1b[2J", b"\xff\xfe", b"a" * 300])
 def test_names_of_files_are_shown_on_one_line(tmp_path, outcome, name):
     path = os.path.join(tmp_path, os.fsdecode(name))
-    for command in (["check", path], ["build", path], ["readme", path, path], ["guarantee", path]):
+    for command in (["check", path], ["build", path], ["readme", path]):
         assert outcome(main, *command)[0] == 2
     assert outcome(importer, f"{path}.xyz")[0] == 2
     assert outcome(importer, path, "--format", "xyz", "-o", f"{path}.npy")[0] == 2
@@ -189,14 +189,15 @@ def test_folders_and_secrets_are_no_input(tmp_path, outcome):
     assert outcome(importer, tmp_path, "--format", "xyz")[0] == 2
 
 
-MARKED = "<!-- octocell:correctness -->\n<!-- /octocell:correctness -->\n"
+MARKED = "<!-- octocell:correctness result.json -->\n<!-- /octocell:correctness -->\n"
 
 
 def test_names_are_names_in_markdown(tmp_path, save, outcome):
     path = tmp_path / "R.md"
     path.write_text(MARKED)
     name = "a|b\\|c`d$e$<b>\n"
-    assert outcome(main, "readme", save(renamed(small(), "gas", name)), path)[0] == 0
+    save(renamed(small(), "gas", name))
+    assert outcome(main, "readme", path)[0] == 0
     lines = [line for line in path.read_text().splitlines() if line.startswith("|")]
     assert "a\\|b\\\\\\|c&#96;d&#36;e&#36;&#60;b>\\n" in lines[0]
     assert len({line.replace("\\|", "").count("|") for line in lines}) == 1
@@ -205,8 +206,8 @@ def test_names_are_names_in_markdown(tmp_path, save, outcome):
 def test_a_name_that_is_a_marker_is_refused(tmp_path, save, outcome):
     path = tmp_path / "R.md"
     path.write_text(MARKED)
-    document = renamed(small(), "gas", "<!-- /octocell:correctness -->")
-    code, _, err = outcome(main, "readme", save(document), path)
+    save(renamed(small(), "gas", "<!-- /octocell:correctness -->"))
+    code, _, err = outcome(main, "readme", path)
     assert code == 2 and "would hold a marker" in err and path.read_text() == MARKED
 
 
@@ -250,9 +251,11 @@ def test_strange_results_end_well(tmp_path, outcome, undrawn):
         save_mutated(new, small(), luck)
         codes.append(outcome(main, "check", new)[0])
         if codes[-1] != 2:
-            md.write_text(MARKED + MARKED.replace("correctness", "speed"))
+            md.write_text(
+                (MARKED + MARKED.replace("correctness", "speed")).replace("result", "new")
+            )
             outcome(main, "compare", old, new)
-            outcome(main, "readme", new, md)
+            outcome(main, "readme", md)
             if turn % 10 == 0:
                 outcome(main, "build", new, "-o", tmp_path / "out")
     assert 50 < codes.count(2) < 190  # some of them are read
@@ -263,13 +266,14 @@ def test_strange_evidence_ends_well(tmp_path, outcome):
     blocks = [
         f"guarantee{x}" for x in ("", "_near_tangent", "_stress", "_compilers", "_mutants", "_fuzz")
     ]
-    md.write_text("".join(MARKED.replace("correctness", block) for block in blocks))
+    text = "".join(MARKED.replace("correctness", block) for block in blocks)
+    md.write_text(text.replace("result.json", "results"))
     codes = []
     for _ in range(200):
         folder = synthetic_guarantee.save_all(tmp_path)
         path = luck.choice(sorted(folder.rglob("*.json")))
         save_mutated(path, json.loads(path.read_text()), luck)
-        codes.append(outcome(main, "guarantee", folder, md)[0])
+        codes.append(outcome(main, "readme", md)[0])
     assert 20 < codes.count(2) < 180
 
 

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import pytest
 
-from octocell_report import readme
+from octocell_report import readme, readme_bench
 from octocell_report.cli import main
 from octocell_report.fields import ReportError
 from octocell_report.load import parse
@@ -12,11 +12,11 @@ import synthetic
 from synthetic import group, row, skipped, unavailable_group, wrong
 
 TEXT = """# Title
-<!-- octocell:speed -->
+<!-- octocell:speed result.json -->
 stale words
 <!-- /octocell:speed -->
 between
-<!-- octocell:machine --><!-- /octocell:machine -->
+<!-- octocell:machine result.json --><!-- /octocell:machine -->
 end"""
 
 
@@ -43,7 +43,7 @@ def cells(block, label):
 
 
 def test_speed_leads_with_ratios_cold_and_warm(document):
-    block = readme.speed(parse(document))
+    block = readme_bench.speed(parse(document))
     assert cells(block, "implementation") == [
         "vs fastest FCL", "vs fastest Bullet", "vs bullet_dbvt", "cold [ms]", "warm [ms]"
     ]  # fmt: skip
@@ -54,7 +54,7 @@ def test_speed_leads_with_ratios_cold_and_warm(document):
 
 
 def test_speed_gives_no_time_to_what_is_not_exact(document):
-    block = readme.speed(parse(document))
+    block = readme_bench.speed(parse(document))
     assert cells(block, "impl_cpu as_written (negative control)") == [
         "negative control −334 +0",
         *"––––",
@@ -63,7 +63,7 @@ def test_speed_gives_no_time_to_what_is_not_exact(document):
 
 
 def test_correctness_has_a_line_for_what_is_wrong_and_one_for_the_rest(document):
-    block = readme.correctness(parse(document))
+    block = readme_bench.correctness(parse(document))
     assert cells(block, "wrong") == ["gas", "1A2C"]
     control = "impl_cpu as_written (negative control)"
     assert cells(block, control) == ["**−334 +0** at 1k", "not there"]
@@ -79,80 +79,92 @@ def test_correctness_says_where_it_was_wrong_and_how_many_sizes_were_exact(docum
     document["rows"].append(row(n=2000))
     document["rows"].append(wrong(row("fcl_a", None, None, n=2000), missed=5))
     document["rows"].append(wrong(row(rule="as_written", n=2000, negative_control=True), missed=7))
-    block = readme.correctness(parse(document))
+    block = readme_bench.correctness(parse(document))
     assert cells(block, "fcl_a")[0] == "**−5 +0** at 2k"
     assert cells(block, "impl_cpu as_written (negative control)")[0] == "**−7 +0** at 2k"
 
 
 def test_correctness_needs_no_table_where_all_is_exact():
-    block = readme.correctness(parse(synthetic.document([group("gas", 1000)], [row()])))
+    block = readme_bench.correctness(parse(synthetic.document([group("gas", 1000)], [row()])))
     assert block == "Exact wherever they ran, of 1 scenes and sizes: `impl_cpu lowest_cell`."
 
 
 def test_machine_is_one_line(document):
     document["context"] |= {"dirty": True, "finished": False}
-    assert readme.machine(parse(document)) == (
+    assert readme_bench.machine(parse(document)) == (
         "Example CPU 9000, 2 cores, 25 GB, Debian GNU/Linux 12; g++ 12.2.0 (Release, "
         "`-O3 -march=native -DNDEBUG`); commit 0123456789ab with uncommitted changes; 2026-01-02; "
         "run interrupted."
     )
 
 
-def test_only_what_stands_between_markers_changes(document):
-    fresh, differing = readme.filled(parse(document), TEXT)
-    assert differing == ["speed", "machine"]
-    assert fresh.startswith("# Title\n<!-- octocell:speed -->\n| implementation |")
+def test_only_what_stands_between_markers_changes(document, save, tmp_path):
+    save(document)
+    fresh, differing = readme.filled(TEXT, tmp_path)
+    assert differing == ["speed result.json", "machine result.json"]
+    assert fresh.startswith("# Title\n<!-- octocell:speed result.json -->\n| implementation |")
     assert "stale words" not in fresh
-    assert ".\n<!-- /octocell:speed -->\nbetween\n<!-- octocell:machine -->\nExample" in fresh
+    between = ".\n<!-- /octocell:speed -->\nbetween\n<!-- octocell:machine result.json -->\nExample"
+    assert between in fresh
     assert fresh.endswith("<!-- /octocell:machine -->\nend")
-    assert readme.filled(parse(document), fresh) == (fresh, [])
+    assert readme.filled(fresh, tmp_path) == (fresh, [])
 
 
-def test_line_ends_stay_as_they_are(document):
-    fresh, _ = readme.filled(parse(document), TEXT.replace("\n", "\r\n"))
+def test_line_ends_stay_as_they_are(document, save, tmp_path):
+    save(document)
+    fresh, _ = readme.filled(TEXT.replace("\n", "\r\n"), tmp_path)
     assert fresh.count("\n") == fresh.count("\r\n") > 5
+
+
+OPEN = "<!-- octocell:speed result.json -->"
 
 
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("a\n<!-- octocell:sped -->", "line 2: unknown marker 'octocell:sped'; known: speed"),
-        ("<!-- octocell:speed -->", "line 1: marker 'octocell:speed' is never closed"),
-        ("<!-- /octocell:speed -->", "line 1: ends 'speed', which is not open"),
-        ("<!-- octocell:speed --><!-- octocell:machine -->", "'speed' is still open"),
-        ("<!-- octocell:speed --><!-- /octocell:machine -->", "ends 'machine', which is not open"),
+        ("a\n<!-- octocell:sped -->", "line 2: unknown marker 'octocell:sped'; known: machine"),
+        ("<!-- octocell:speed -->", "line 1: marker 'octocell:speed' must name what"),
+        ("<!-- /octocell:speed -->", "line 1: marker '/octocell:speed' closes what is not open"),
+        (f"{OPEN}\n", "line 1: marker 'octocell:speed' is not closed by '/octocell:speed'"),
+        (f"{OPEN}{OPEN}", "'octocell:speed' is not closed"),
+        (f"{OPEN}<!-- /octocell:machine -->", "'octocell:speed' is not closed"),
+        (f"{OPEN}<!-- /octocell:speed result.json -->", "'octocell:speed' is not closed"),
+        ("<!-- octocell:speed a b -->", "has no octocell markers"),
         ("no markers", "has no octocell markers"),
     ],
 )
-def test_bad_markers_are_errors(document, text, message):
+def test_bad_markers_are_errors(document, save, tmp_path, text, message):
+    save(document)
     with pytest.raises(ReportError, match=message):
-        readme.filled(parse(document), text)
+        readme.filled(text, tmp_path)
 
 
 def test_speed_without_its_scene_is_an_error():
     document = synthetic.document([group("fog", 1000)], [row(scene="fog")])
     with pytest.raises(ReportError, match="needs the scene gas"):
-        readme.speed(parse(document))
+        readme_bench.speed(parse(document))
 
 
 def test_the_command_rewrites_checks_and_leaves_nothing_beside(document, save, tmp_path, capsys):
-    path, result = tmp_path / "README.md", save(document)
+    path = tmp_path / "README.md"
+    save(document)
     path.write_text(TEXT)
     path.chmod(0o640)
-    assert main(["readme", str(result), str(path), "--check"]) == 1
+    assert main(["readme", str(path), "--check"]) == 1
     assert path.read_text() == TEXT
     assert "differs" in capsys.readouterr().out
-    assert main(["readme", str(result), str(path)]) == 0
-    assert main(["readme", str(result), str(path), "--check"]) == 0
+    assert main(["readme", str(path)]) == 0
+    assert main(["readme", str(path), "--check"]) == 0
     assert path.stat().st_mode & 0o777 == 0o640
     path.write_text(path.read_text().replace("5.00×", "50.0×"))
-    assert main(["readme", str(result), str(path), "--check"]) == 1
+    assert main(["readme", str(path), "--check"]) == 1
     assert sorted(p.name for p in tmp_path.iterdir()) == ["README.md", "result.json"]
 
 
 def test_an_unknown_marker_leaves_the_file_alone(document, save, tmp_path, capsys):
     path, text = tmp_path / "README.md", TEXT + "<!-- octocell:weather -->"
     path.write_text(text)
-    assert main(["readme", str(save(document)), str(path)]) == 2
+    save(document)
+    assert main(["readme", str(path)]) == 2
     assert path.read_text() == text
     assert "unknown marker 'octocell:weather'" in capsys.readouterr().err

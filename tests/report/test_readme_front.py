@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from octocell_report import readme_front, verification, words
+from octocell_report import readme_front, readme_guarantee, verification, words
 from octocell_report.fields import ReportError
 from octocell_report.load import parse
 
@@ -30,8 +30,8 @@ def test_a_library_is_held_against_our_plan_by_its_fastest(headline):
     n = words.grouped(1000)
     assert said == (
         "**4 times** as fast as FCL's fastest broad phase, **15 times** as fast as Bullet's "
-        f"fastest broad phase: {n} spheres, from nothing, in 2.00 ms on one thread of Example CPU 9000 "
-        "(commit 01234567)"
+        f"fastest broad phase: {n} spheres, from nothing, in 2.00 ms on one thread of "
+        "Example CPU 9000 (commit 01234567)"
     )
     chinese = readme_front.libraries(parse(headline), "zh")
     assert all(word in chinese for word in ("**4 倍**", "**15 倍**", "2.00", "01234567"))
@@ -49,7 +49,7 @@ def test_a_device_must_have_a_million_spheres(headline):
 
 
 def test_wrong_answers_are_counted_by_owner(tmp_path):
-    found = verification.read([synthetic_guarantee.save_all(tmp_path)])
-    english, chinese = readme_front.wrong(found), readme_front.wrong(found, "zh")
+    found = verification.read(synthetic_guarantee.save_all(tmp_path))
+    english, chinese = (readme_guarantee.front(found, language) for language in ("en", "zh"))
     assert english.startswith("wrong answers on scenes made to break broad phases: Octocell **")
     assert "FCL **" in english and "FCL" in chinese and english.count("**") == chinese.count("**")
