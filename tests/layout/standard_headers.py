@@ -30,7 +30,7 @@ HEADERS = {
     "csignal": "raise sig_atomic_t signal",
     "cstddef": "byte max_align_t nullptr_t ptrdiff_t size_t to_integer",
     "cstdint": "int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t",
-    "cstdio": "ferror fflush fprintf fputs printf rename",
+    "cstdio": "ferror fflush fprintf fputs printf rename sscanf",
     "cstdlib": "abort aligned_alloc atexit exit free getenv strtof strtoull",
     "cstring": "memcmp memcpy strerror",
     "deque": "deque",
