@@ -11,85 +11,53 @@ there is none: such rows are never called faster or slower.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
-from statistics import median
+from collections.abc import Iterable, Sequence
+from typing import Any
 
 import numpy as np
+import pandas as pd
 
 from octocell_report import words
 from octocell_report.load import Result, Row
 from octocell_report.spread import LEAST_ROUNDS, SHARE, TAILS, drawn_medians
 
-
-@dataclass(frozen=True)
-class Change:
-    """One row that is exact, and no negative control, in both."""
-
-    old: Row
-    new: Row
-    ratio: float  # new median / old median: above 1 is slower
-    low: float
-    high: float
-    verdict: str  # slower | faster | same | unknown (too few rounds)
-
-    @property
-    def name(self) -> str:
-        return self.new.name
+# What the rows of both files may be called, and how the summary counts them.
+TIMED = {
+    "slower": "slower",
+    "faster": "faster",
+    "same": "within the noise",
+    "unknown": "not judged",
+}
 
 
-@dataclass(frozen=True)
-class Comparison:
-    changes: list[Change]
-    other_scene: list[str]  # names of rows whose groups' true pairs differ: not the same question
-    verdicts: list[tuple[Row, Row]]  # old and new: one of them has no bare time, and they differ
-    only_old: list[str]
-    only_new: list[str]
+def compare(old: Result, new: Result, threshold: float) -> pd.DataFrame:
+    """A line per row that both have, by name: the columns of both frames (_old, _new), `verdict`,
+    and ratio, low, high of those timed: new median / old median, above 1 is slower.
 
-    def of(self, verdict: str) -> list[Change]:
-        """The largest change first."""
-        found = [change for change in self.changes if change.verdict == verdict]
-        return sorted(found, key=lambda change: -abs(np.log(change.ratio)))
+    Other verdicts: 'other scene' (the true pairs differ), 'changed' (one of them has no bare time,
+    and they differ), 'alike'.
+    """
+    both = old.frame.merge(new.frame, on="name", suffixes=("_old", "_new"))
 
+    def alike(column: str) -> pd.Series:
+        return both[f"{column}_old"].astype(str) == both[f"{column}_new"].astype(str)
 
-def compare(old: Result, new: Result, threshold: float) -> Comparison:
-    """Rows are the same if their names are."""
-    before, after = ({row.name: row for row in result.rows} for result in (old, new))
-    truths = [{g.place: g.truth for g in r.groups} for r in (old, new)]
-    found = Comparison(
-        changes=[],
-        other_scene=[],
-        verdicts=[],
-        only_old=[name for name in before if name not in after],
-        only_new=[name for name in after if name not in before],
+    scene = alike("truth_pairs") & alike("truth_checksum")
+    times = both[["median_ms_old", "median_ms_new"]]
+    timed = scene & both["counts_old"] & both["counts_new"] & (times > 0).all(axis=1)
+    rounds = zip(timed, both["round_ms_old"], both["round_ms_new"], strict=True)
+    both[["low", "high"]] = [interval(*pair) if fits else (np.nan,) * 2 for fits, *pair in rounds]
+    both["ratio"] = (times["median_ms_new"] / times["median_ms_old"]).where(timed)
+    few = both[["rounds_old", "rounds_new"]].min(axis=1) < LEAST_ROUNDS
+    both["verdict"] = np.select(
+        [
+            *(~scene, ~timed & alike("status") & alike("negative_control"), ~timed, few),
+            *(both["low"] > 1 + threshold, both["high"] < 1 / (1 + threshold)),
+        ],
+        ["other scene", "alike", "changed", "unknown", "slower", "faster"],
+        "same",
     )
-    for name, row in before.items():
-        other = after.get(name)
-        if other is None:
-            continue
-        if truths[0][row.place] != truths[1][other.place]:
-            found.other_scene.append(name)
-        elif row.counts and other.counts and row.median_ms > 0 and other.median_ms > 0:
-            found.changes.append(_change(row, other, threshold))
-        elif _standing(row) != _standing(other):
-            found.verdicts.append((row, other))
-    return found
-
-
-def _standing(row: Row) -> tuple[str, bool]:
-    return row.status, row.negative_control
-
-
-def _change(old: Row, new: Row, threshold: float) -> Change:
-    low, high = interval(old.round_ms, new.round_ms)
-    ratio = new.median_ms / old.median_ms
-    if min(len(old.round_ms), len(new.round_ms)) < LEAST_ROUNDS:
-        verdict = "unknown"
-    elif low > 1 + threshold:
-        verdict = "slower"
-    else:
-        verdict = "faster" if high < 1 / (1 + threshold) else "same"
-    return Change(old, new, ratio, low, high, verdict)
+    return both
 
 
 def interval(old: Iterable[float], new: Iterable[float]) -> tuple[float, float]:
@@ -102,68 +70,59 @@ def interval(old: Iterable[float], new: Iterable[float]) -> tuple[float, float]:
     return float(low), float(high)
 
 
-_DIFFER = {
-    "compiler": "compiler differs",
-    "flags": "flags differ",
-    "instruction_set": "instruction set differs",
-    "build_type": "build type differs",
-    "libraries": "libraries differ",
-}
+_MACHINE = ("cpu", "cores", "memory_bytes", "os", "name")
+_BUILD = ("compiler", "flags", "instruction_set", "build_type", "libraries", "gpu")
 
 
 def warnings(old: Result, new: Result) -> list[str]:
     """Why a difference may not be the code's."""
-    found = []
-    machines = old.context["machine"], new.context["machine"]
-    for key in ("cpu", "cores", "memory_bytes", "os", "name"):
-        if machines[0][key] != machines[1][key]:
-            found.append(f"machines differ: {key}: {machines[0][key]} / {machines[1][key]}")
-    for key in _DIFFER:
-        if old.context[key] != new.context[key]:
-            found.append(f"{_DIFFER[key]}: {_shown(old, key)} / {_shown(new, key)}")
-    for name, result in (("old", old), ("new", new)):
-        if result.context["dirty"]:
+    known = [result.context | result.context["machine"] for result in (old, new)]
+    found = [
+        f"other {key}: {' / '.join(_shown(context.get(key)) for context in known)}"
+        for key in (*_MACHINE, *_BUILD)
+        if known[0].get(key) != known[1].get(key)
+    ]
+    for name, context in zip(("old", "new"), known, strict=True):
+        if context["dirty"]:
             found.append(f"the {name} result was built from changed sources")
-        if not result.context["finished"]:
+        if not context["finished"]:
             found.append(f"the {name} run was interrupted")
     return found
 
 
-def _shown(result: Result, key: str) -> str:
-    known = result.context[key]
-    return ", ".join(f"{k} {v}" for k, v in known.items()) if isinstance(known, dict) else known
+def _shown(known: Any) -> str:
+    if isinstance(known, dict):
+        return ", ".join(f"{name} {value}" for name, value in known.items())
+    return "none" if known is None else str(known)
 
 
 def report(old: Result, new: Result, threshold: float) -> tuple[list[str], bool]:
     """Lines of text, and whether a row became slower."""
-    found = compare(old, new, threshold)
+    both = compare(old, new, threshold)
+    origins = (f"{r.context['commit'][:12]} ({r.context['date'][:10]})" for r in (old, new))
     lines = [f"warning: {text}" for text in warnings(old, new)]
     lines += [
-        f"old {_origin(old)}, new {_origin(new)}; ratio: new median / old median",
+        "old {}, new {}; ratio: new median / old median".format(*origins),
         f"slower: the {SHARE} % interval (bootstrap over rounds) lies above {1 + threshold:.3g}; "
         f"faster: below {1 / (1 + threshold):.3g}; "
         f"rows with fewer than {LEAST_ROUNDS} rounds are not judged",
     ]
     for verdict in ("slower", "faster"):
-        lines += _table(verdict, found.of(verdict))
-    pairs = [f"  {old.name}: {_word(old)} -> {_word(new)}" for old, new in found.verdicts]
-    lines += _listed("changed verdict", pairs)
-    lines += _listed("other scene (true pairs differ, not compared)", _names(found.other_scene))
-    lines += _listed("only in the old file", _names(found.only_old))
-    lines += _listed("only in the new file", _names(found.only_new))
-    return [*lines, "", *_summary(found)], bool(found.of("slower"))
+        rows = both[both["verdict"] == verdict]
+        lines += ["", f"{verdict}: {len(rows) or 'none'}", *_table(rows)]
+    rows_of = [{row.name: row for row in result.rows} for result in (old, new)]
+    changed = both.loc[both["verdict"] == "changed", "name"]
+    told = [f"{name}: {' -> '.join(_word(rows[name]) for rows in rows_of)}" for name in changed]
+    other = both.loc[both["verdict"] == "other scene", "name"]
+    lines += _listed("changed verdict", told)
+    lines += _listed("other scene (true pairs differ, not compared)", other)
+    for age, here in zip(("old", "new"), rows_of, strict=True):
+        lines += _listed(f"only in the {age} file", [n for n in here if n not in set(both["name"])])
+    return [*lines, "", *_summary(both)], bool((both["verdict"] == "slower").any())
 
 
-def _origin(result: Result) -> str:
-    return f"{result.context['commit'][:12]} ({result.context['date'][:10]})"
-
-
-def _names(names: list[str]) -> list[str]:
-    return [f"  {name}" for name in names]
-
-
-def _listed(title: str, lines: list[str]) -> list[str]:
-    return ["", f"{title}: {len(lines)}", *lines] if lines else []
+def _listed(title: str, lines: Sequence[str]) -> list[str]:
+    return ["", f"{title}: {len(lines)}", *(f"  {line}" for line in lines)] if len(lines) else []
 
 
 def _word(row: Row) -> str:
@@ -173,44 +132,26 @@ def _word(row: Row) -> str:
     return words.verdict(row) if row.status == "wrong" or row.negative_control else "exact"
 
 
-def _table(verdict: str, changes: list[Change]) -> list[str]:
-    if not changes:
-        return ["", f"{verdict}: none"]
-    cells = [
-        [
-            f"{change.ratio:.3f}",
-            f"{change.low:.3f} .. {change.high:.3f}",
-            words.number(change.old.median_ms),
-            words.number(change.new.median_ms),
-            change.name.removeprefix("find_pairs/"),
-        ]
-        for change in changes
-    ]
-    cells.insert(0, ["ratio", "interval", "old ms", "new ms", "row"])
-    widths = [max(len(line[column]) for line in cells) for column in range(4)]
-    lines = [
-        "  " + "  ".join(f"{text:>{width}}" for text, width in zip(line, widths, strict=False))
-        for line in cells
-    ]
-    return ["", f"{verdict}: {len(changes)}"] + [
-        f"{line}  {texts[4]}" for line, texts in zip(lines, cells, strict=True)
-    ]
+def _table(rows: pd.DataFrame) -> list[str]:
+    """The largest change first."""
+    if rows.empty:
+        return []
+    rows = rows.loc[np.log(rows["ratio"]).abs().sort_values(ascending=False, kind="stable").index]
+    spans = rows["low"].map("{:.3f} .. ".format) + rows["high"].map("{:.3f}".format)
+    numbers = {"ratio": rows["ratio"].map("{:.3f}".format), " interval": spans}
+    for age in ("old", "new"):
+        numbers[f" {age} ms"] = rows[f"median_ms_{age}"].map(words.number)
+    lines = pd.DataFrame(numbers).to_string(index=False).splitlines()
+    names = ["row", *rows["name"].str.removeprefix("find_pairs/")]
+    return [f"  {line}  {name}" for line, name in zip(lines, names, strict=True)]
 
 
-_WORDS = {
-    "slower": "slower",
-    "faster": "faster",
-    "same": "within the noise",
-    "unknown": "not judged",
-}
-
-
-def _summary(found: Comparison) -> list[str]:
+def _summary(both: pd.DataFrame) -> list[str]:
     """Counts, and how the baselines moved: their code is not ours, so it is the machine's drift."""
-    counts = [f"{len(found.of(verdict))} {word}" for verdict, word in _WORDS.items()]
-    lines = [f"{len(found.changes)} rows compared: {', '.join(counts)}"]
+    counts = [f"{(both['verdict'] == verdict).sum()} {word}" for verdict, word in TIMED.items()]
+    lines = [f"{both['ratio'].count()} rows compared: {', '.join(counts)}"]
     for kind, title in (("backend", "ours"), ("baseline", "baselines, as a measure of drift")):
-        ratios = [change.ratio for change in found.changes if change.new.kind == kind]
-        if ratios:
-            lines.append(f"{title}: median ratio {median(ratios):.3f} of {len(ratios)} rows")
+        ratios = both.loc[both["kind_new"] == kind, "ratio"].dropna()
+        if len(ratios):
+            lines.append(f"{title}: median ratio {ratios.median():.3f} of {len(ratios)} rows")
     return lines

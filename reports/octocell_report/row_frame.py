@@ -23,7 +23,7 @@ order of the JSON. The columns:
     plan_ms peak_bytes device_bytes output_bytes worst_missed_depth worst_false_gap
     beyond_bytes                bytes per sphere beyond input and output; NaN on a device
     candidates_per_pair         NaN if unknown, or without true pairs
-    truth_pairs scene_class real                  of the row's group
+    truth_pairs truth_checksum scene_class real   of the row's group
     plan                        the Plan, or None
 
 Whole numbers that may be absent are of dtype Int64 (pd.NA where absent), other numbers are floats
@@ -60,7 +60,7 @@ _WHOLE = (
 _REAL = ("plan_ms", "worst_missed_depth", "worst_false_gap", "median_ms", "min_ms", "max_ms")
 _DERIVED = (
     *("label", "order", "side", "family", "ran", "counts", "excused", "round_ms", "rounds"),
-    *("median_ms", "min_ms", "max_ms", "truth_pairs", "scene_class", "real"),
+    *("median_ms", "min_ms", "max_ms", "truth_pairs", "truth_checksum", "scene_class", "real"),
 )
 
 
@@ -105,6 +105,7 @@ def rows_frame(result: Result, rows: Iterable[Row]) -> pd.DataFrame:
             **{"round_ms": times, "rounds": len(times), "median_ms": row.median_ms},
             **{"min_ms": min(times, default=None), "max_ms": max(times, default=None)},
             **{"truth_pairs": group.truth_pairs, "scene_class": group.scene_class},
+            "truth_checksum": group.truth.checksum if group.truth else None,
             "real": group.real,
         }
 
