@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one list of broad phases of libraries.
+// The list of all baselines.
 #include <span>
 #include <string_view>
 
@@ -11,13 +11,13 @@ namespace {
 constexpr std::string_view kTouchingBoxesLost =
     "ends of boxes are sorted by position only, so boxes that just touch can be taken for apart";
 constexpr std::string_view kHalfOpenCells =
-    "cells lack their upper border, so boxes that touch there share none";
+    "cells lack their upper border, so boxes that touch there share no cell";
 
 constexpr Baseline kAll[] = {
-    {"fcl_dynamic_aabb_tree", "FCL DynamicAABBTree, as it comes", make_fcl_dynamic_aabb_tree},
+    {"fcl_dynamic_aabb_tree", "FCL DynamicAABBTree, default settings", make_fcl_dynamic_aabb_tree},
     {"fcl_dynamic_aabb_tree_morton", "FCL DynamicAABBTree, tree_init_level = 1",
      make_fcl_dynamic_aabb_tree_morton},
-    {"fcl_dynamic_aabb_tree_array", "FCL DynamicAABBTree_Array, as it comes",
+    {"fcl_dynamic_aabb_tree_array", "FCL DynamicAABBTree_Array, default settings",
      make_fcl_dynamic_aabb_tree_array},
     {"fcl_dynamic_aabb_tree_array_morton", "FCL DynamicAABBTree_Array, tree_init_level = 1",
      make_fcl_dynamic_aabb_tree_array_morton},
@@ -26,10 +26,11 @@ constexpr Baseline kAll[] = {
     {"fcl_ssap", "FCL SSaP: sort and sweep at every query", make_fcl_ssap},
     {"fcl_interval_tree", "FCL IntervalTree: a sweep, and three trees", make_fcl_interval_tree,
      kTouchingBoxesLost},
-    {"fcl_spatial_hashing", "FCL SpatialHashing, cells of two greatest radii",
+    {"fcl_spatial_hashing", "FCL SpatialHashing, cells of two largest radii",
      make_fcl_spatial_hashing, kHalfOpenCells},
     {"fcl_naive", "FCL Naive: all pairs of boxes", make_fcl_naive},
-    {"bullet_dbvt_broadphase", "Bullet btDbvtBroadphase, as it comes", make_bullet_dbvt_broadphase},
+    {"bullet_dbvt_broadphase", "Bullet btDbvtBroadphase, default settings",
+     make_bullet_dbvt_broadphase},
     {"bullet_dbvt_broadphase_deferred", "Bullet btDbvtBroadphase, m_deferedcollide",
      make_bullet_dbvt_broadphase_deferred},
     {"bullet_dbvt", "Bullet's bare btDbvt tree, joined with itself", make_bullet_dbvt},

@@ -5,7 +5,7 @@
 
 namespace octocell::baselines {
 
-/// What a quadratic broad phase compares, whatever the scene.
+/// Returns how many pairs a quadratic broad phase compares.
 constexpr std::uint64_t all_pairs(std::uint64_t count) {
   return count == 0 ? 0 : count * (count - 1) / 2;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What all baselines share: when a structure is built, when it is brought up to date, and what of
-// that is timed. A baseline adds how its library does each.
+// What all baselines share: when a structure is built or updated, and which part of that is timed.
+// A baseline adds how its library does each.
 #pragma once
 
 #include <cstdint>
@@ -62,7 +62,7 @@ class BaselineFinder : public PairFinder {
   }
   std::span<const Pair> sorted_pairs() final { return sink_.sort_pairs(); }
   [[nodiscard]] HostBytes host_bytes(const Plan&, SceneView scene) const final {
-    // 200 (btDbvt) to 580 (DynamicAABBTree_Array), as measured: peak_bytes in reports/results.
+    // Measured: 200 (btDbvt) to 580 (DynamicAABBTree_Array); peak_bytes in reports/results.
     constexpr double kOfSphere = 580.0;
     return {.fixed = kOfSphere * static_cast<double>(scene.spheres.size()),
             .per_pair = sizeof(Pair)};
@@ -70,22 +70,23 @@ class BaselineFinder : public PairFinder {
   PairDigest digest() final { return sink_.digest(); }
 
  protected:
-  /// Untimed: makes the library's own objects for the scene, if it wants any.
+  /// Makes the library's own objects for the scene, if it needs any. Untimed.
   virtual void make_objects() {}
-  /// Untimed: can the standing structure be brought to this scene, of as many spheres as before?
+  /// Returns true if the standing structure can be updated to this scene, which has as many
+  /// spheres. Untimed.
   virtual bool can_follow(SceneView) { return true; }
-  /// Untimed: why the library cannot hold this scene, in one line; nothing if it can.
+  /// Returns in one line why the library cannot hold this scene; none if it can. Untimed.
   virtual std::optional<std::string> why_impossible() { return std::nullopt; }
-  /// Untimed: how many pairs the library will compare on this scene, where that is known beforehand
-  /// and can be far more than the candidates it reports; 0 where it is not.
+  /// Returns how many pairs the library will compare on this scene, if that is known beforehand and
+  /// can be far more than the candidates it reports; otherwise 0. Untimed.
   virtual std::uint64_t pairs_ahead() { return 0; }
-  /// Untimed: back to nothing, so that the next build() starts from there.
+  /// Removes the structure, so that the next build() starts from nothing. Untimed.
   virtual void tear_down() = 0;
-  /// Timed: from nothing to a structure that can be asked; or refuses by sink().refuse().
+  /// Builds a complete structure from nothing, or calls sink().refuse(). Timed.
   virtual void build() = 0;
-  /// Timed: the spheres have moved; the library's own way to follow them.
+  /// Updates the structure in the library's own way, after the spheres have moved. Timed.
   virtual void follow() = 0;
-  /// Timed: every candidate pair to the sink, once.
+  /// Passes each candidate pair to the sink, once. Timed.
   virtual void query() = 0;
 
   [[nodiscard]] std::span<const Sphere> spheres() const { return scene_.spheres; }
@@ -93,7 +94,7 @@ class BaselineFinder : public PairFinder {
 
  private:
   [[nodiscard]] bool refused() const { return sink_.counts().plan_violation.has_value(); }
-  /// The structure may be incomplete, so it cannot be brought up to date.
+  /// Returns true if the structure may be incomplete, so that it cannot be updated.
   [[nodiscard]] bool cut_short() const { return refused() || sink_.counts().over_candidate_limit; }
 
   void start_anew(SceneView scene) {
@@ -113,8 +114,8 @@ class BaselineFinder : public PairFinder {
   SceneView scene_;
   CandidateSink sink_;
   std::uint64_t pairs_ahead_ = 0;
-  bool standing_ = false;  // a structure of an earlier find_pairs() is there
-  bool moved_ = false;     // and the spheres are no longer where it has them
+  bool standing_ = false;  // there is a structure of an earlier find_pairs()
+  bool moved_ = false;     // the spheres have moved since that structure was built or updated
 };
 
 }  // namespace octocell::baselines

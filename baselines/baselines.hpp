@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The libraries' broad phases, one per class and tuning: their list, for the registry, and what
-// makes them.
+// The broad phases of other libraries, one for each class and tuning: their list, for the registry,
+// and the functions that make them.
 #pragma once
 
 #include <memory>
@@ -16,11 +16,11 @@ struct Baseline {
   std::string_view name;  // library, class, tuning
   std::string_view summary;
   std::unique_ptr<PairFinder> (*create)();
-  /// Why its answers can lack pairs although it is driven as it should be; empty if they cannot.
+  /// Why its answers can lack pairs although it is used correctly; empty if they cannot.
   std::string_view known_issues = {};
 };
 
-/// In the order of tables; none in a build without FCL and Bullet.
+/// Returns all baselines in the order of tables; none in a build without FCL and Bullet.
 std::span<const Baseline> all();
 
 // FCL 0.7: tree_init_level 0 is its default (median split), 1 builds from Morton codes.
@@ -35,10 +35,11 @@ std::unique_ptr<PairFinder> make_fcl_ssap();
 std::unique_ptr<PairFinder> make_fcl_interval_tree();
 std::unique_ptr<PairFinder> make_fcl_spatial_hashing();
 std::unique_ptr<PairFinder> make_fcl_naive();
-/// With cells that begin where the scene's box begins: no row, only to show what is lost then.
+/// With cells that begin where the scene's box begins. It is in no table; it only shows what that
+/// loses.
 std::unique_ptr<PairFinder> make_fcl_spatial_hashing_aligned();
 
-// Bullet 3.24: pairs found on insertion (default), or in one tree-tree pass (m_deferedcollide).
+// Bullet 3.24: pairs are found on insertion (default), or in one tree-tree pass (m_deferedcollide).
 std::unique_ptr<PairFinder> make_bullet_dbvt_broadphase();
 std::unique_ptr<PairFinder> make_bullet_dbvt_broadphase_deferred();
 std::unique_ptr<PairFinder> make_bullet_dbvt();
@@ -47,7 +48,7 @@ std::unique_ptr<PairFinder> make_bullet_axis_sweep();
 std::unique_ptr<PairFinder> make_bullet_axis_sweep_32();
 std::unique_ptr<PairFinder> make_bullet_simple();
 
-/// Of the libraries that are linked, such as "0.7.0" and "3.24".
+/// Return the versions of the linked libraries, such as "0.7.0" and "3.24".
 std::string fcl_version();
 std::string bullet_version();
 

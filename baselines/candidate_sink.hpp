@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where every baseline's candidates go: the same exact test and the same pair buffer for all, so
-// that the rows differ by their broad phase only.
+// Where all baselines put their candidates: all use the same exact test and the same pair buffer,
+// so rows differ only by their broad phase.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace octocell::baselines {
 
 class CandidateSink {
  public:
-  /// Untimed: makes room for plan.capacity.pairs pairs, or for none in a count_only plan.
+  /// Reserves room for plan.capacity.pairs pairs, or for none in a count_only plan. Untimed.
   void prepare(const Plan& plan) {
     candidate_limit_ = plan.candidate_limit;
     room_size_ = plan.count_only ? 0 : plan.capacity.pairs;
@@ -27,7 +27,7 @@ class CandidateSink {
     begin({});
   }
 
-  /// Untimed: forgets what was found; candidates are ids into `scene` from now on.
+  /// Forgets what was found; from now on candidates are ids into `scene`. Untimed.
   void begin(SceneView scene) {
     spheres_ = scene.spheres.data();
     flags_ = scene.flags.empty() ? nullptr : scene.flags.data();
@@ -35,8 +35,8 @@ class CandidateSink {
     checksum_beyond_room_ = 0;
   }
 
-  /// Before the work starts: the library is going to compare this many pairs, whatever it finds.
-  /// Returns false if that is more than the plan allows; the caller then does not start.
+  /// Call before the work starts, if the library is going to compare this many pairs anyway.
+  /// Returns false if the plan allows fewer; the caller must then not start.
   bool allows(std::uint64_t pairs_ahead) {
     if (pairs_ahead <= candidate_limit_) return true;
     counts_.candidates = pairs_ahead;
@@ -44,32 +44,32 @@ class CandidateSink {
     return false;
   }
 
-  /// Tests one candidate, a != b, in any order. Returns false once there were more candidates than
-  /// the plan allows; the caller then stops.
+  /// Tests one candidate, a != b, in any order. Returns false if there were more candidates than
+  /// the plan allows; the caller must then stop.
   bool test(std::uint32_t a, std::uint32_t b) {
     if (++counts_.candidates > candidate_limit_) {
       counts_.over_candidate_limit = true;
       return false;
     }
-    // Where an engine calls the filter that its user gave it.
+    // Flags are checked here, where an engine would call its user's filter.
     if (flags_ != nullptr && !may_collide(flags_[a], flags_[b])) return true;
     if (overlap(spheres_[a], spheres_[b])) keep(make_pair_of(a, b));
     return true;
   }
 
-  /// The scene is more than the library can hold; `reason` is one line.
+  /// Notes in one line why the library cannot hold the scene.
   void refuse(std::string reason) { counts_.plan_violation = std::move(reason); }
 
   [[nodiscard]] std::uint64_t candidate_limit() const { return candidate_limit_; }
   [[nodiscard]] const Counts& counts() const { return counts_; }
 
-  /// Untimed: puts the pairs in order where they are.
+  /// Sorts the pairs in place. Untimed.
   std::span<const Pair> sort_pairs() {
     std::sort(room_.data(), room_.data() + stored().size());
     return stored();
   }
 
-  /// Of all pairs found, whether there was room for them or not.
+  /// Returns the digest of all pairs found, whether there was room for them or not.
   [[nodiscard]] PairDigest digest() const {
     PairDigest digest = digest_of(stored());
     digest.merge({counts_.pairs - digest.count, checksum_beyond_room_});
@@ -77,8 +77,8 @@ class CandidateSink {
   }
 
  private:
-  // The safe filter holds for every scene, and a few candidates per sphere do not show the
-  // difference; for the same reason radii are grown here instead of in a copy of the scene.
+  // The safe filter is right for every scene, and with a few candidates per sphere it costs hardly
+  // more. For the same reason radii are enlarged here and not in a copy of the scene.
   bool overlap(const Sphere& a, const Sphere& b) {
     const Verdict verdict = filter_verdict<Filter::safe>(a, b);
     return verdict == Verdict::uncertain ? overlap_exact(a, b) : verdict == Verdict::overlap;
@@ -98,10 +98,10 @@ class CandidateSink {
   }
 
   const Sphere* spheres_ = nullptr;
-  const Flags* flags_ = nullptr;  // none: every pair may collide
+  const Flags* flags_ = nullptr;  // null: every pair may collide
   std::uint64_t candidate_limit_ = 0;
   Counts counts_;
-  Buffer<Pair> room_;  // [room_size_] the first counts_.pairs are in use
+  Buffer<Pair> room_;  // [room_size_]; the first counts_.pairs are in use
   std::uint64_t room_size_ = 0;
   std::uint64_t checksum_beyond_room_ = 0;
 };

@@ -14,7 +14,7 @@ namespace octocell::baselines {
 namespace {
 
 class AxisSweep final : public AxisSweepFinder<btAxisSweep3, unsigned short> {
-  // Asserted by Bullet; a release build goes on and writes past its arrays.
+  // Bullet only asserts this; a release build continues and writes past its arrays.
   static constexpr std::size_t kMaxProxies = 32766;
 
   std::optional<std::string> why_impossible() override {

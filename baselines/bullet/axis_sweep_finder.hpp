@@ -25,7 +25,7 @@ class AxisSweepFinder : public PoolFinder<Sweep> {
   }
 
  private:
-  // Without the last argument a btDbvt is kept beside the sweep, for rays.
+  // Without the last argument, the sweep also keeps a btDbvt for rays.
   std::unique_ptr<Sweep> make_broadphase() override {
     const auto handles = static_cast<Integer>(std::max<std::size_t>(spheres().size(), 2));
     return std::make_unique<Sweep>(world_->lowest(), world_->highest(), handles, nullptr, true);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A btDbvt is not balanced: spheres inserted in order along a line, or all at one place, make one
-// branch as long as there are spheres. Freeing it recurses once per level and would end the
-// process.
+// A btDbvt is not balanced. Spheres inserted in order along a line, or all at one place, make one
+// branch that is as long as there are spheres. Freeing it recurses once per level and would crash
+// the process.
 #pragma once
 
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
@@ -15,7 +15,7 @@ inline constexpr std::size_t kInsertionsPerCheck = 1024;
 inline constexpr const char* kBranchTooLong =
     "btDbvt degenerates on this scene: a branch of more than 65536 levels";
 
-/// Called after the `count`-th insertion; looks at the branch of that leaf now and then, which is
+/// Checks the branch of a leaf after every 1024th insertion; must be called after each. That is
 /// enough because a branch grows by one level per insertion.
 inline bool branch_too_long(const btDbvtNode* leaf, std::size_t count) {
   if (count % kInsertionsPerCheck != 0) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bullet's boxes, in float as it is packaged.
+// Bullet's boxes, in float like the packaged library.
 #pragma once
 
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
@@ -21,8 +21,9 @@ struct BulletBox {
   [[nodiscard]] btDbvtVolume volume() const { return btDbvtVolume::FromMM(lowest, highest); }
 };
 
-/// p - r and p + r, rounded to nearest and kept finite. Both are monotone and Bullet compares boxes
-/// with <=, so boxes of overlapping spheres meet: p + r >= q - s holds after rounding as before.
+/// Returns p - r and p + r, rounded to nearest and kept finite. Both steps are monotone and Bullet
+/// compares boxes with <=, so boxes of overlapping spheres still meet: p + r >= q - s also holds
+/// after rounding.
 inline BulletBox bullet_box(const Sphere& s) {
   const auto finite = [](float v) { return std::clamp(v, -kFloatMax, kFloatMax); };
   return {{finite(s.x - s.r), finite(s.y - s.r), finite(s.z - s.r)},

@@ -15,14 +15,14 @@
 namespace octocell::baselines {
 namespace {
 
-/// Leaves hold the sphere's id where Bullet has room for a pointer.
+/// Leaves store the sphere's id where Bullet has room for a pointer.
 void* leaf_data(std::size_t id) { return reinterpret_cast<void*>(id); }
 std::uint32_t id_of(const btDbvtNode* leaf) {
   return static_cast<std::uint32_t>(reinterpret_cast<std::size_t>(leaf->data));
 }
 
-/// Thrown out of a traversal, which has no other way to end early. It passes through inline code
-/// of btDbvt.h only, and never leaves query().
+/// Thrown out of a traversal, which cannot end early in another way. It passes only through inline
+/// code of btDbvt.h, and never leaves query().
 struct CandidateLimitReached {};
 
 struct LeafPairs final : btDbvt::ICollide {
@@ -46,8 +46,9 @@ class Dbvt final : public BaselineFinder {
     }
   }
 
-  // A leaf that moved a little finds its place near its old one; from the root it takes longer.
-  // One that jumped would swell the boxes there, so it starts at the root (m_lkhd < 0).
+  // A leaf that moved a little finds its new place near the old one; a search from the root takes
+  // longer. A leaf that jumped would enlarge the boxes there, so it starts at the root (m_lkhd <
+  // 0).
   void follow() override {
     for (std::size_t i = 0; i < spheres().size(); ++i) {
       btDbvtVolume box = bullet_box(spheres()[i]).volume();

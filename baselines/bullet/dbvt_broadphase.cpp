@@ -21,10 +21,10 @@
 namespace octocell::baselines {
 namespace {
 
-/// m_deferedcollide: pairs are found while proxies are inserted, or all in one tree-tree pass.
+/// m_deferedcollide: finds pairs while proxies are inserted, or all in one tree-tree pass.
 enum class Collide : bool { immediately, deferred };
 
-/// A broad phase with its proxies, which Bullet leaves to the caller to free.
+/// A broad phase with its proxies, which Bullet does not free.
 class World {
  public:
   World(Collide collide, std::uint64_t candidate_limit)
@@ -45,7 +45,7 @@ class World {
 
   void reserve(std::size_t count) { proxies_.reserve(count); }
 
-  /// False if Bullet cannot go on.
+  /// Returns false if Bullet cannot continue.
   [[nodiscard]] bool insert(std::span<const Sphere> spheres) {
     for (const Sphere& s : spheres) {
       const BulletBox box = bullet_box(s);
@@ -57,7 +57,7 @@ class World {
     return true;
   }
 
-  /// False if Bullet cannot go on.
+  /// Returns false if Bullet cannot continue.
   [[nodiscard]] bool move(std::span<const Sphere> spheres) {
     for (std::size_t i = 0; i < spheres.size(); ++i) {
       const BulletBox box = bullet_box(spheres[i]);
@@ -104,8 +104,8 @@ class DbvtBroadphase final : public BaselineFinder {
     return were_narrow && all_narrow_;
   }
 
-  // setAabb() multiplies a box's extent by a predicted motion of 0; of an infinite extent that
-  // makes NaN, and such a box meets nothing.
+  // setAabb() multiplies a box's extent by a predicted motion of 0. For an infinite extent that
+  // gives NaN, and such a box meets nothing.
   static bool narrow(std::span<const Sphere> spheres) {
     return std::ranges::all_of(spheres, [](const Sphere& s) { return s.r < kFloatMax / 4; });
   }
@@ -122,8 +122,8 @@ class DbvtBroadphase final : public BaselineFinder {
     if (!world_->move(spheres())) sink().refuse(kBranchTooLong);
   }
 
-  // The cache holds more than the pairs whose boxes meet: boxes have a margin, and pairs that have
-  // parted are dropped a tenth per call.
+  // The cache holds more than the pairs whose boxes meet: boxes have a margin, and each call drops
+  // only a tenth of the pairs that have separated.
   void query() override {
     world_->collide();
     const btBroadphasePairArray& pairs = world_->pairs();

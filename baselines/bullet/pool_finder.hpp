@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How Bullet's older broad phases are driven: proxies from a pool of fixed size, pairs in a cache.
+// Drives Bullet's older broad phases: proxies from a pool of fixed size, pairs in a cache.
 #pragma once
 
 #include <cstdint>
@@ -19,17 +19,16 @@ namespace octocell::baselines {
 template <class Broadphase>
 class PoolFinder : public BaselineFinder {
  protected:
-  /// Untimed: where and how many the spheres are; before make_broadphase().
+  /// Untimed. Called before make_broadphase(), which needs the number and the box of the spheres.
   void make_objects() override { proxies_.reserve(spheres().size()); }
-  /// Timed: an empty broad phase with room for the spheres.
+  /// Makes an empty broad phase with room for the spheres. Timed.
   virtual std::unique_ptr<Broadphase> make_broadphase() = 0;
 
-  // Each insertion walks past the ends of the boxes before it; the pool has no way to build in
-  // bulk.
+  // Each insertion goes past the ends of all boxes before it; the pool cannot be built in bulk.
   std::uint64_t pairs_ahead() override { return all_pairs(spheres().size()); }
 
  private:
-  // The pool goes with the broad phase: destroyProxy() would search the cache for every proxy.
+  // The pool is freed with the broad phase: destroyProxy() would search the cache for every proxy.
   void tear_down() final {
     proxies_.clear();
     limit_.reset();

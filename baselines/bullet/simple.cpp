@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bullet's btSimpleBroadphase: every box against every other, at every step.
+// Bullet's btSimpleBroadphase: every box against every other, in every step.
 #include <BulletCollision/BroadphaseCollision/btSimpleBroadphase.h>
 
 #include <algorithm>

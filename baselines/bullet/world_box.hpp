@@ -10,8 +10,9 @@
 
 namespace octocell::baselines {
 
-/// All spheres with an eighth of their box on each side to move in. What lies outside is moved to
-/// the border, which loses no pair: positions are rounded and clamped monotonically.
+/// The box of all spheres, with an eighth of its size on each side to move in. Positions outside
+/// are moved to its border. That loses no pair, because positions are rounded and clamped
+/// monotonically.
 class WorldBox {
  public:
   explicit WorldBox(std::span<const Sphere> spheres) {
@@ -45,8 +46,8 @@ class WorldBox {
  private:
   static constexpr float Sphere::*kAxes[3] = {&Sphere::x, &Sphere::y, &Sphere::z};
 
-  // Bullet divides the number of steps by the width in float32: neither may become infinite, and
-  // the width not vanish beside the position.
+  // Bullet divides the number of steps by the width in float32. Neither may become infinite, and
+  // the width must not vanish compared with the position.
   static void widen(double& low, double& high) {
     constexpr double kNarrowest = 0x1p-90;
     constexpr double kFarthest = 0x1.8p126;
@@ -54,7 +55,7 @@ class WorldBox {
     const double room = std::max({(high - low) / 8.0, position * 0x1p-20, kNarrowest});
     low = std::clamp(low - room, -kFarthest, kFarthest);
     high = std::clamp(high + room, -kFarthest, kFarthest);
-    if (low == high) (low > 0.0 ? low : high) = 0.0;  // all of it beyond
+    if (low == high) (low > 0.0 ? low : high) = 0.0;  // everything lies beyond the limit
   }
 
   float lowest_[3];

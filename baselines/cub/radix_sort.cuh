@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cub::DeviceRadixSort, the ceiling for stage 3 on the device.
+// cub::DeviceRadixSort, the standard to compare our stage 3 on the GPU with.
 #pragma once
 
 #include <cuda_runtime_api.h>
@@ -17,15 +17,16 @@ struct KeysAndValues {
 
 class RadixSort {
  public:
-  /// Sorts `count` pairs (below 2^31) by keys below 2^bits. Unlike ours, CUB needs to know on the
-  /// host how many there are.
+  /// Prepares to sort `count` pairs (below 2^31) by keys below 2^bits. Unlike our sorts, CUB must
+  /// know the number of pairs on the host.
   RadixSort(std::uint64_t count, int bits);
 
-  /// What launch() needs at `scratch`. CUB's passes switch between front and back as ours do.
+  /// Returns how many bytes launch() needs at `scratch`. CUB's passes switch between front and
+  /// back, like ours.
   [[nodiscard]] std::uint64_t scratch_bytes() const { return scratch_bytes_; }
 
-  /// Queues the sort; `front` holds the input. Returns where the result will be: 0 for front, 1
-  /// for back.
+  /// Queues the sort; `front` holds the input. Returns where the result will be: 0 for front, 1 for
+  /// back.
   int launch(KeysAndValues front, KeysAndValues back, void* scratch, cudaStream_t stream) const;
 
  private:
@@ -34,7 +35,7 @@ class RadixSort {
   std::size_t scratch_bytes_ = 0;
 };
 
-/// "3.0.1", say.
+/// Returns the version, such as "3.0.1".
 std::string version();
 
 }  // namespace octocell::cub_baseline

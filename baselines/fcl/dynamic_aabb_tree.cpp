@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// FCL's DynamicAABBTreeCollisionManager: a binary tree of boxes, each node its own allocation.
+// FCL's DynamicAABBTreeCollisionManager: a binary tree of boxes; each node is allocated separately.
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// FCL's DynamicAABBTreeCollisionManager_Array: the same tree, its nodes in one array.
+// FCL's DynamicAABBTreeCollisionManager_Array: the same tree with its nodes in one array.
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree_array.h>
 
 #include <memory>
@@ -8,7 +8,7 @@
 #include "baselines/fcl/fcl_tree_finder.hpp"
 
 #ifdef __SANITIZE_ADDRESS__
-// registerObjects() of FCL 0.7 never frees the leaves that it hands to the tree (README.md).
+// registerObjects() of FCL 0.7 never frees the leaves that it copies into the tree (README.md).
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libfcl\n"; }
 #endif

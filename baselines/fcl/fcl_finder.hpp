@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How every collision manager of FCL is driven; they share an interface.
+// Drives every collision manager of FCL through their common interface.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace octocell::baselines {
 template <class Manager>
 class FclFinder : public BaselineFinder {
  protected:
-  /// An empty manager for the spheres at hand; to be overridden if its settings matter.
+  /// Makes an empty manager for the current spheres. Override it if the settings matter.
   virtual void make_manager(std::optional<Manager>& manager) {
     if constexpr (std::is_default_constructible_v<Manager>) manager.emplace();
   }
@@ -29,11 +29,11 @@ class FclFinder : public BaselineFinder {
   [[nodiscard]] const FclObjects& objects() const { return objects_; }
 
  private:
-  // A new manager instead of clear(), which would keep the buckets of a tree's table, and forgets
-  // some lists of others.
+  // Makes a new manager instead of calling clear(), which keeps the buckets of a tree's table and
+  // forgets some lists of other managers.
   void tear_down() final { manager_.reset(); }
 
-  // registerObjects() works in bulk only while the manager is empty.
+  // registerObjects() builds in bulk only if the manager is empty.
   void build() final {
     make_manager(manager_);
     manager_->registerObjects(objects_.pointers());
@@ -55,7 +55,7 @@ class FclFinder : public BaselineFinder {
     const FclObjects::Object* first;
   };
 
-  // Returns true to stop. Ids come from addresses: the objects themselves stay out of the cache.
+  // Returns true to stop. Ids follow from addresses, so the objects are not loaded into the cache.
   static bool on_candidate(FclObjects::Object* a, FclObjects::Object* b, void* data) {
     const Query& query = *static_cast<const Query*>(data);
     return !query.sink->test(static_cast<std::uint32_t>(a - query.first),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scene as FCL wants it: one CollisionObject per sphere, one geometry per distinct radius.
+// The scene as FCL needs it: one CollisionObject per sphere, one geometry per distinct radius.
 #pragma once
 
 #include <fcl/geometry/shape/sphere.h>
@@ -23,7 +23,7 @@ class FclObjects {
  public:
   using Object = fcl::CollisionObjectd;
 
-  /// One object per sphere, its box computed.
+  /// Makes one object per sphere and computes its box.
   void make(std::span<const Sphere> spheres) {
     objects_.clear();
     pointers_.clear();
@@ -36,8 +36,8 @@ class FclObjects {
     }
   }
 
-  /// Geometry cannot be exchanged in an object, so objects whose radius changed are replaced, at
-  /// the same address: managers know objects by it. Call move() next.
+  /// Replaces the objects whose radius changed, because an object's geometry cannot be exchanged.
+  /// They keep their addresses, by which managers know them. Call move() next.
   void change_radii(std::span<const Sphere> spheres) {
     Geometries geometries;
     for (std::size_t i = 0; i < spheres.size(); ++i) {
@@ -47,7 +47,8 @@ class FclObjects {
     }
   }
 
-  /// FCL never looks at a transform again by itself: without computeAABB() boxes stay behind.
+  /// Moves the objects. FCL does not read a transform again by itself: without computeAABB() boxes
+  /// stay where they were.
   void move(std::span<const Sphere> spheres) {
     for (std::size_t i = 0; i < spheres.size(); ++i) {
       objects_[i].setTranslation(centre(spheres[i]));
@@ -74,7 +75,7 @@ class FclObjects {
   static fcl::Vector3d centre(const Sphere& s) { return {s.x, s.y, s.z}; }
 
   std::vector<Object> objects_;    // [sphere]
-  std::vector<Object*> pointers_;  // [sphere] into objects_, the form in which FCL takes them
+  std::vector<Object*> pointers_;  // [sphere] pointers into objects_, which FCL's functions take
 };
 
 }  // namespace octocell::baselines

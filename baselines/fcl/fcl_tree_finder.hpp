@@ -8,7 +8,7 @@
 
 namespace octocell::baselines {
 
-/// `tree_init_level` of both managers; 0 is what FCL does if it is not told otherwise.
+/// The setting `tree_init_level` of both managers; 0 is FCL's default.
 enum class FclTreeInit : int { median_split = 0, morton = 1 };
 
 template <class Manager>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where FCL's spatial hash gets its cells: a box and a cell side that never change.
+// The cells of FCL's spatial hash: a box and a cell side that never change.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace octocell::baselines {
 
-/// Cells that begin where the scene's box begins have borders where regular data has them, and
-/// boxes that touch there share no cell.
+/// If cells begin where the scene's box begins, their borders lie where regular data has its own,
+/// and boxes that touch there share no cell.
 enum class HashCells : bool { apart_from_data, aligned_with_data };
 
 struct HashBounds {
@@ -22,7 +22,7 @@ struct HashBounds {
   double lowest[3] = {0, 0, 0};
   double highest[3] = {0, 0, 0};
 
-  /// Cells of two greatest radii, around the boxes of all spheres with room to move.
+  /// Makes cells of two largest radii, around the boxes of all spheres, with room to move.
   HashBounds(std::span<const Sphere> spheres, HashCells cells) {
     if (spheres.empty()) return;
     float r_max = 0.0F;
@@ -53,7 +53,8 @@ struct HashBounds {
     return std::max({cells_along(0), cells_along(1), cells_along(2)});
   }
 
-  /// Pairs of entries that meet in a cell. A scene of a few giants has nearly all of them.
+  /// Returns how many pairs of entries meet in a cell. In a scene of a few giants, that is nearly
+  /// all.
   [[nodiscard]] std::uint64_t pairs_in_cells(std::span<const Sphere> spheres) const {
     std::vector<std::uint64_t> keys;
     keys.reserve(spheres.size());
@@ -69,14 +70,15 @@ struct HashBounds {
   }
 
  private:
-  // Points have no radius to take the cell from; about one of them to a cell.
+  // Points have no radius that could give the cell side; this puts about one of them into a cell.
   [[nodiscard]] double cell_of_points(std::size_t count) const {
     double side = 0.0;
     for (int k = 0; k < 3; ++k) side = std::max(side, highest[k] - lowest[k]);
     return side > 0.0 ? side / std::cbrt(static_cast<double>(count)) : 1.0;
   }
 
-  // A fraction of a cell that no float32 coordinate has; an eighth of the box to move in.
+  // Shifts the borders by a fraction of a cell that no float32 coordinate has, and adds an eighth
+  // of the box to move in.
   void make_room() {
     constexpr double kApart = 0.61803398874989485;
     for (int k = 0; k < 3; ++k) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// FCL's IntervalTreeCollisionManager. All pairs at once come from a sweep over its sorted end
-// points with a std::set of open boxes; the trees that it builds beside them serve other queries.
+// FCL's IntervalTreeCollisionManager. It finds all pairs by a sweep over its sorted end points with
+// a std::set of open boxes. The trees that it also builds serve other queries.
 #include <fcl/broadphase/broadphase_interval_tree.h>
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace octocell::baselines {
 namespace {
 
 class IntervalTree final : public FclFinder<fcl::IntervalTreeCollisionManagerd> {
-  // It takes first minus last for an extent, so that the shortest side looks longest to it.
+  // FCL computes an extent as first minus last, so it takes the shortest side for the longest.
   std::uint64_t pairs_ahead() override { return sweep_pairs(spheres(), SweepAlong::shortest); }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// FCL's SaPCollisionManager: end points in linked lists, kept sorted from step to step, and a list
-// of the pairs whose boxes meet.
+// FCL's SaPCollisionManager: end points in linked lists, which stay sorted from step to step, and a
+// list of the pairs whose boxes meet.
 #include <fcl/broadphase/broadphase_SaP.h>
 
 #include <cstddef>
@@ -18,7 +18,7 @@ class Sap final : public FclFinder<fcl::SaPCollisionManagerd> {
   std::uint64_t pairs_ahead() override { return sweep_pairs(spheres(), SweepAlong::longest); }
 
   // Unless both ends of a box move the same way on every axis, update() drops an end point from its
-  // list and links it to itself; so boxes that grow or shrink mean a new structure.
+  // list and links it to itself. So boxes that grow or shrink need a new structure.
   bool can_follow(SceneView scene) override {
     for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
       if (!moves_whole(*objects().pointers()[i], scene.spheres[i])) return false;
@@ -26,7 +26,7 @@ class Sap final : public FclFinder<fcl::SaPCollisionManagerd> {
     return true;
   }
 
-  // With equal radii, only rounding can hold one end back.
+  // If radii are equal, only rounding can hold one end back.
   static bool moves_whole(const FclObjects::Object& object, const Sphere& s) {
     const double r = s.r;
     if (FclObjects::radius(object) != r) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// FCL's SpatialHashingCollisionManager: every box in the list of each cell that it covers.
+// FCL's SpatialHashingCollisionManager: every box is in the list of each cell that it covers.
 #include <fcl/broadphase/broadphase_spatialhash.h>
 #include <fmt/format.h>
 
@@ -24,7 +24,8 @@ class SpatialHashing final : public FclFinder<Manager> {
   explicit SpatialHashing(HashCells cells) : cells_(cells) {}
 
  private:
-  // A list per entry, as a box covers 8 cells: with fewer, candidates are mostly strangers.
+  // One list per entry, because a box covers 8 cells. With fewer, most candidates only share a list
+  // by chance.
   void make_manager(std::optional<Manager>& manager) override {
     const auto corner = [](const double(&c)[3]) { return fcl::Vector3d(c[0], c[1], c[2]); };
     const auto lists = static_cast<unsigned>(std::max<std::size_t>(8 * spheres().size(), 1000));
@@ -36,7 +37,7 @@ class SpatialHashing final : public FclFinder<Manager> {
     FclFinder::make_objects();
   }
 
-  // The box and the cells are fixed: outside, boxes are clipped or all compared.
+  // The box and the cells are fixed: boxes outside are clipped, or all compared with each other.
   bool can_follow(SceneView scene) override {
     return std::ranges::all_of(scene.spheres,
                                [this](const Sphere& s) { return bounds_->hold(s); }) &&

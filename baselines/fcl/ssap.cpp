@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// FCL's SSaPCollisionManager: boxes sorted by their lower ends, swept along one axis at each query.
+// FCL's SSaPCollisionManager: boxes are sorted by their lower ends and swept along one axis at each
+// query.
 #include <fcl/broadphase/broadphase_SSaP.h>
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What FCL's sweeps have before them: they compare all pairs whose intervals meet along one axis.
+// How many pairs FCL's sweeps compare: all pairs whose intervals meet along one axis.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace octocell::baselines {
 
-/// The ends of all boxes along one axis, each list sorted. [2][sphere]
+/// The ends of all boxes along one axis; each list is sorted. [2][sphere]
 struct SweepAxis {
   std::vector<double> lows;
   std::vector<double> highs;
@@ -32,7 +32,8 @@ struct SweepAxis {
 
   [[nodiscard]] double extent() const { return lows.empty() ? 0.0 : highs.back() - lows.front(); }
 
-  /// Two intervals each begin before the other ends if they meet; if not, only one of them does.
+  /// Counts pairs of intervals that meet. Of two that meet, each begins before the other ends; of
+  /// two that do not, only one does.
   [[nodiscard]] std::uint64_t meeting_pairs() const {
     std::uint64_t begun = 0;
     std::uint64_t begun_before_ends = 0;
@@ -46,7 +47,7 @@ struct SweepAxis {
 
 enum class SweepAlong : bool { longest, shortest };
 
-/// Pairs that a sweep compares along the longest or shortest side of the scene's box.
+/// Returns how many pairs a sweep compares along the longest or shortest side of the scene's box.
 inline std::uint64_t sweep_pairs(std::span<const Sphere> spheres, SweepAlong along) {
   const std::array<SweepAxis, 3> axes = {SweepAxis(spheres, &Sphere::x),
                                          SweepAxis(spheres, &Sphere::y),
