@@ -17,7 +17,8 @@ DecimalFloat parse_float(std::string_view text) {
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error == std::errc::invalid_argument || stop != end) return {not_a_number, 0};
   if (error == std::errc{}) return {number, value};
-  // Out of range is said of too large numbers and of tiny ones, which strtof rounds correctly.
+  // from_chars reports "out of range" for large and for tiny numbers; strtof rounds tiny ones
+  // correctly.
   value = std::strtof(std::string(text).c_str(), nullptr);
   return {std::isinf(value) ? too_large : number, value};
 }

@@ -6,11 +6,11 @@
 
 namespace octocell {
 
-/// What was read as a decimal number, rounded once to float32, to nearest even.
+/// The result of reading a decimal number, rounded once to float32, ties to even.
 struct DecimalFloat {
   enum class Kind : unsigned char { number, not_a_number, too_large };
   Kind kind;
-  float value;  // of a number; "nan" and "inf" are numbers here
+  float value;  // valid if `kind` is number; "nan" and "inf" are numbers here
 };
 DecimalFloat parse_float(std::string_view text);
 

@@ -5,9 +5,9 @@
 
 namespace octocell {
 
-/// While one of these lives, signals that would end the program wait: what must be whole is
-/// finished first. Then they take the effect they would have had. For the whole process, whichever
-/// thread they reach. (Those that a fault of the program's own raises do not wait; they would be
+/// As long as one of these lives, signals that would end the program wait, so that it can finish a
+/// file first. Then they take their usual effect. This holds for the whole process, whichever
+/// thread they reach. (Signals that the program's own fault raises do not wait; they would be
 /// raised again at once.)
 class DeferredSignals {
  public:
@@ -33,7 +33,7 @@ class DeferredSignals {
  private:
   static constexpr int kSignals = NSIG;
 
-  /// Or runs a handler that somebody has set. Remembers what it did so far.
+  /// Returns true if the signal would end the program or run a handler. Stores its present action.
   bool ends_the_program(int signal) {
     for (const int kept : {SIGKILL, SIGSTOP, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP,
                            SIGSYS, SIGCHLD, SIGCONT, SIGTSTP, SIGTTIN, SIGTTOU, SIGURG, SIGWINCH}) {

@@ -21,7 +21,7 @@ std::optional<struct stat> status_of(const std::string& path) {
   return status;
 }
 
-/// What is written there replaces what stood there before. A pipe or a device loses nothing.
+/// Returns true if writing to the path replaces its contents. A pipe or a device loses nothing.
 bool keeps_what_is_written(const std::string& path) {
   const std::optional<struct stat> status = status_of(path);
   return !status || S_ISREG(status->st_mode);
@@ -38,11 +38,12 @@ bool keeps_what_is_written(const std::string& path) {
 }  // namespace
 
 std::string follow_links(const std::string& path) {
-  constexpr int kMostLinks = 40;  // as Linux has it
+  constexpr int kMostLinks = 40;  // Linux's own limit
   std::error_code error;
   fs::path target = path;
   for (int links = 0; links < kMostLinks && fs::is_symlink(target, error); ++links) {
-    target = target.parent_path() / fs::read_symlink(target, error);  // an absolute one replaces it
+    target = target.parent_path() / fs::read_symlink(target, error);  // replaces the whole path if
+                                                                      // absolute
   }
   return target.string();
 }

@@ -15,7 +15,7 @@
 namespace octocell {
 namespace {
 
-/// Empty if a file of this kind and size can be read.
+/// Returns why a file of this kind and size cannot be read; empty if it can.
 std::string_view flaw_of(const struct stat& status) {
   if (S_ISDIR(status.st_mode)) return "is a folder, not a file";
   if (!S_ISREG(status.st_mode)) return "is not a regular file";
@@ -26,7 +26,7 @@ std::string_view flaw_of(const struct stat& status) {
 
 InputFile::InputFile(std::string path) : path_(std::move(path)) {
   struct stat status = {};
-  // Before open(), which would wait for a writer if this is a pipe.
+  // Checks before open(), which would wait for a writer if this is a pipe.
   if (stat(path_.c_str(), &status) != 0) refuse(std::strerror(errno));
   if (const std::string_view flaw = flaw_of(status); !flaw.empty()) refuse(flaw);
   descriptor_ = open(path_.c_str(), O_RDONLY | O_CLOEXEC);

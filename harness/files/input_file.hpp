@@ -12,7 +12,7 @@ namespace octocell {
 
 class InputFile {
  public:
-  /// Throws unless `path` is a regular file with at least one byte that may be read.
+  /// Throws unless `path` is a readable regular file with at least one byte.
   explicit InputFile(std::string path);
   ~InputFile();
   InputFile(const InputFile&) = delete;
@@ -21,7 +21,7 @@ class InputFile {
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] std::uint64_t size() const { return size_; }  // bytes
 
-  void read(std::span<std::byte> bytes);  // exactly so many, from where the last read ended
+  void read(std::span<std::byte> bytes);  // exactly that many, from where the last read ended
 
   /// Throws InputError "PATH: message".
   [[noreturn]] void refuse(std::string_view message) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lines of a text file, one at a time: a file may be larger than memory.
+// Reads the lines of a text file one at a time, because a file may be larger than memory.
 #pragma once
 
 #include <cstddef>
@@ -14,16 +14,19 @@ namespace octocell {
 
 class LineReader {
  public:
-  /// Longer lines are refused: they are no table of numbers.
+  /// Longer lines are refused: such a file is not a table of numbers.
   static constexpr std::size_t kLongestLine = std::size_t{1} << 20;
 
   explicit LineReader(InputFile& file);
 
-  /// Returns the next line without its end, or nothing after the last. It stays valid until the
-  /// next call. Throws InputError.
+  /// Returns the next line without its end; none after the last. It stays valid until the next
+  /// call. Throws InputError.
   std::optional<std::string_view> next();
 
-  [[nodiscard]] std::size_t number() const { return number_; }  // of the last line; the first is 1
+  [[nodiscard]] std::size_t number() const {
+    return number_;
+  }  // of the last line returned; the
+     // first is 1
 
  private:
   [[nodiscard]] std::size_t end_of_line() const { return buffer_.find('\n', begin_); }

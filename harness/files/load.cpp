@@ -28,7 +28,7 @@ bool is_known(std::string_view extension) {
   return extension == ".npy" || extension == ".csv" || extension == ".pqr";
 }
 
-/// The formats that octocell-import reads and octocell does not.
+/// Returns true for formats that octocell-import reads and octocell does not.
 bool is_importers(std::string_view extension) {
   constexpr std::string_view kExtensions[] = {".gro",  ".pdb", ".ent",      ".xyz", ".extxyz",
                                               ".data", ".lmp", ".lammps",   ".ply", ".trr",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// CSV: one sphere a line, `x,y,z,r`. A first line that holds no number is a header and names the
-// columns, in any order; a header may stand in a comment, as numpy.savetxt writes it. It may also
+// CSV: one sphere per line, `x,y,z,r`. If the first line holds no number, it is a header and names
+// the columns, in any order. A header may be in a comment, as numpy.savetxt writes it. It may also
 // name columns of flags: static (0 or 1), group, mask. '#' begins a comment; blank lines are
 // skipped.
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ constexpr std::size_t kNumbers = 4;
 constexpr std::array<std::string_view, 7> kNames = {"x", "y", "z", "r", "static", "group", "mask"};
 constexpr std::size_t kNoField = kNames.size();
 
-/// The field that holds each of them. The flags' may be none.
+/// The number of the field that holds each name; flags may have none.
 struct Columns {
   std::array<std::size_t, kNames.size()> field = {0, 1, 2, 3, kNoField, kNoField, kNoField};
   std::size_t count = kNumbers;
@@ -43,8 +43,8 @@ struct Line {
 };
 
 struct Fields {
-  std::array<std::string_view, kNames.size()> field;  // the first seven
-  std::size_t count = 0;                              // all of them
+  std::array<std::string_view, kNames.size()> field;  // the first seven fields
+  std::size_t count = 0;                              // the number of all fields
 };
 
 Fields split(std::string_view text) {
@@ -59,8 +59,8 @@ Fields split(std::string_view text) {
   }
 }
 
-/// The columns that a header names, if it names each of the four once, flags at most once, and
-/// nothing else.
+/// Returns the columns that a header names; none unless it names each of the four once, flags at
+/// most once, and nothing else.
 std::optional<Columns> columns_named_in(std::string_view header) {
   const Fields names = split(header);
   if (names.count < kNumbers || names.count > kNames.size()) return std::nullopt;
@@ -116,7 +116,7 @@ Sphere sphere_in(const InputFile& file, const Line& line, const Fields& fields,
   return sphere;
 }
 
-/// What the columns say; without a column it is as if there were no flags.
+/// Returns the flags in a line. A missing column gets the value that a sphere without flags has.
 Flags flags_in(const InputFile& file, const Line& line, const Fields& fields,
                const Columns& columns) {
   const auto value = [&](std::size_t k, std::uint32_t highest, std::uint32_t if_none) {
@@ -134,7 +134,7 @@ Flags flags_in(const InputFile& file, const Line& line, const Fields& fields,
   return make_flags(value(4, 1, 0) == 1, value(5, kMaxGroup, 1), value(6, kMaxMask, kMaxMask));
 }
 
-/// Lines apart from their comments.
+/// Reads lines and removes their comments.
 class CsvLines {
  public:
   explicit CsvLines(InputFile& file) : lines_(file) {}
@@ -142,7 +142,7 @@ class CsvLines {
   std::optional<Line> next() {
     auto raw = lines_.next();
     if (!raw) return std::nullopt;
-    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // spreadsheets write it
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // spreadsheets write this
     if (lines_.number() == 1 && raw->starts_with(kByteOrderMark)) {
       raw->remove_prefix(kByteOrderMark.size());
     }
@@ -155,7 +155,7 @@ class CsvLines {
   LineReader lines_;
 };
 
-/// Skips to the first sphere's line and returns it, if there is one. The last header before it
+/// Skips to the line of the first sphere and returns it, if there is one. The last header before it
 /// counts; numpy.savetxt writes its header as a comment.
 std::optional<Line> skip_header(const InputFile& file, CsvLines& lines, Columns& columns) {
   bool header_seen = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Flags beside a scene, NPY of shape (n,): words as in sphere.hpp (uint32), or only which spheres
-// are static (bool, or uint8 of 0 and 1).
+// Flags in a file of their own, NPY of shape (n,): words as in sphere.hpp (uint32), or only which
+// spheres are static (bool, or uint8 with 0 and 1).
 #include <fmt/format.h>
 
 #include <cstddef>

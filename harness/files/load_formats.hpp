@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One reader per file format; load.cpp picks. All spheres returned are valid.
+// One reader per file format; load.cpp chooses. All spheres that they return are valid.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ void load_csv(InputFile& file, Scene& scene);
 std::vector<Sphere> load_pqr(InputFile& file);
 void load_npy(InputFile& file, const LoadOptions& options, Scene& scene);
 
-/// The flags of so many spheres, from a side file.
+/// Reads the flags of that many spheres from a file of their own.
 std::vector<Flags> load_flags(InputFile& file, std::size_t sphere_count);
 
 }  // namespace octocell

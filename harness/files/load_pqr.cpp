@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // PQR: atoms with charge and radius, as PDB2PQR writes them and APBS reads them:
 //   ATOM|HETATM serial name residue [chain] residue_number x y z charge radius
-// separated by blanks. All other records are skipped.
+// The fields are separated by blanks. All other records are skipped.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::string_view kMagic = "\x93NUMPY";
 constexpr std::size_t kVersionBytes = 2;
-constexpr std::size_t kLongestDictionary = 65536;  // NumPy's own are near 120 bytes
+constexpr std::size_t kLongestDictionary = 65536;  // NumPy's own have about 120 bytes
 
-/// The dictionary, token by token: three keys, in any order, and nothing else.
+/// Reads the dictionary token by token: three keys in any order, and nothing else.
 class DictionaryReader {
  public:
   DictionaryReader(std::string_view text, const InputFile& file) : rest_(text), file_(file) {}
@@ -118,7 +118,7 @@ class DictionaryReader {
   std::vector<std::string> seen_;
 };
 
-/// Little-endian.
+/// Reads a little-endian number.
 std::size_t read_number(InputFile& file, std::size_t byte_count) {
   std::byte bytes[4] = {};
   file.read(std::span(bytes).first(byte_count));
@@ -184,7 +184,7 @@ void check_npy_size(const InputFile& file, const NpyHeader& header, std::size_t 
 }
 
 std::string npy_header_bytes(std::string_view descr, std::string_view shape) {
-  constexpr std::size_t kAlignment = 64;  // so that the numbers can be mapped into memory
+  constexpr std::size_t kAlignment = 64;  // so that programs can map the numbers into memory
   std::string dictionary =
       fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': {}, }}", descr, shape);
   const std::size_t begin = kMagic.size() + kVersionBytes + 2;

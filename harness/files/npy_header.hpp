@@ -24,13 +24,13 @@ struct NpyHeader {
   [[nodiscard]] std::string shape_text() const;  // "(10, 4)"
 };
 
-/// Reads up to the first number. Throws InputError: what was found, and what was expected.
+/// Reads up to the first number. Throws InputError that says what was found and what was expected.
 NpyHeader read_npy_header(InputFile& file);
 
-/// Throws InputError where the file is shorter or longer than so many bytes a row need.
+/// Throws InputError if the file is shorter or longer than that many bytes per row require.
 void check_npy_size(const InputFile& file, const NpyHeader& header, std::size_t bytes_per_row);
 
-/// The rows behind the header, as they lie in the file.
+/// Reads the rows behind the header without conversion.
 template <typename Row>
 std::vector<Row> read_npy_rows(InputFile& file, const NpyHeader& header) {
   check_npy_size(file, header, sizeof(Row));
@@ -40,7 +40,8 @@ std::vector<Row> read_npy_rows(InputFile& file, const NpyHeader& header) {
   return rows;
 }
 
-/// The bytes before the numbers of an array in C order; `shape` as Python writes it: "(10, 4)".
+/// Returns the bytes before the numbers of an array in C order. `shape` is as Python writes it:
+/// "(10, 4)".
 std::string npy_header_bytes(std::string_view descr, std::string_view shape);
 
 }  // namespace octocell

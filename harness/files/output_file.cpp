@@ -28,7 +28,7 @@ namespace {
   throw InputError(fmt::format("cannot write {}: {}", path, std::strerror(error)));
 }
 
-/// An open file that is closed, and removed if it has a name, unless kept.
+/// An open file. Unless it is kept, the destructor closes it, and removes it if it has a name.
 class OutputFile {
  public:
   OutputFile(int descriptor, std::string name_to_remove)
@@ -42,7 +42,7 @@ class OutputFile {
 
   [[nodiscard]] int descriptor() const { return descriptor_; }
 
-  /// All below return 0 or an errno.
+  /// These functions return 0 or an errno.
   int write(std::span<const std::byte> bytes) const {
     while (!bytes.empty()) {
       const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
@@ -52,7 +52,7 @@ class OutputFile {
     return 0;
   }
   int sync() const {
-    // EINVAL: this kind of file cannot be synced.
+    // EINVAL means that this kind of file cannot be synced.
     return ::fsync(descriptor_) == 0 || errno == EINVAL ? 0 : errno;
   }
   int close() {
@@ -83,7 +83,7 @@ void write_directly(const FileToWrite& from) {
   if (const int error = file.close()) refuse(from.path, error);
 }
 
-/// A new file in the target's folder, hence on its file system, where rename() is atomic.
+/// Creates a file in the target's folder, so on the same file system, where rename() is atomic.
 OutputFile create_beside(const std::string& path, const std::string& target, mode_t permissions) {
   const std::filesystem::path folder = std::filesystem::path(target).parent_path();
   for (int attempt = 0;; ++attempt) {
@@ -96,21 +96,21 @@ OutputFile create_beside(const std::string& path, const std::string& target, mod
   }
 }
 
-/// What stands at a path.
+/// The file that exists at a path.
 struct Existing {
   struct stat status;
-  bool can_be_replaced;  // it has a name where another file can take its place
+  bool can_be_replaced;  // it has a name that another file can take over
 };
 
-/// The file that `path` names, without links.
+/// Returns the file that `path` names, without links.
 std::string target_of(const std::string& path) {
   std::error_code error;
   const std::filesystem::path resolved = std::filesystem::canonical(path, error);
   return error ? follow_links(path) : resolved.string();
 }
 
-/// None if nothing stands there. Throws for a folder, and for a file that may not be written:
-/// rename() would replace one that its owner made read-only.
+/// Returns none if nothing exists there. Throws for a folder, and for a file that may not be
+/// written: rename() would replace even a file that its owner made read-only.
 std::optional<Existing> what_stands_at(const std::string& path) {
   struct stat status = {};
   if (::stat(path.c_str(), &status) != 0) {
@@ -120,14 +120,14 @@ std::optional<Existing> what_stands_at(const std::string& path) {
   if (S_ISDIR(status.st_mode)) refuse(path, EISDIR);
   if (!S_ISREG(status.st_mode)) return Existing{status, false};
   if (::access(path.c_str(), W_OK) != 0) refuse(path, errno);
-  // An open file may have lost its name: /dev/stdout can lead to one.
+  // An open file may have lost its name; /dev/stdout can lead to such a file.
   struct stat named = {};
   const bool has_a_name = ::stat(target_of(path).c_str(), &named) == 0 &&
                           named.st_dev == status.st_dev && named.st_ino == status.st_ino;
   return Existing{status, has_a_name && status.st_nlink > 0};
 }
 
-/// A complete file that waits beside its target.
+/// A complete file beside its target, ready to replace it.
 class Replacement {
  public:
   Replacement(const FileToWrite& from, const std::optional<Existing>& existing)
@@ -145,9 +145,9 @@ class Replacement {
   }
 
  private:
-  /// The permissions are never wider than those of the file that is replaced, not even on the way.
-  /// The owner comes first, for a change of owner may clear permissions. Only root can give a file
-  /// to another owner; if the group is another one, too, it gets no permissions.
+  /// Takes over owner and permissions. At no time are the permissions wider than those of the
+  /// replaced file. The owner is set first, because a change of owner may clear permissions. Only
+  /// root can give a file to another owner. If the group differs, too, it gets no permissions.
   void take_over(const struct stat& status) {
     const int file = file_.descriptor();
     const bool has_owner = ::fchown(file, status.st_uid, status.st_gid) == 0;
@@ -161,7 +161,7 @@ class Replacement {
   OutputFile file_;
 };
 
-/// A name that only one of the files may have.
+/// Throws unless all files have different names.
 void require_separate(std::span<const FileToWrite> files) {
   std::vector<NamedFile> outputs;
   for (const FileToWrite& file : files) outputs.push_back({"another output", file.path});

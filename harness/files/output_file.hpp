@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one way in which this program writes a file.
+// The only code of this program that writes files.
 #pragma once
 
 #include <cstddef>
@@ -15,18 +15,18 @@ using ByteSink = std::function<void(std::span<const std::byte>)>;
 
 struct FileToWrite {
   std::string path;
-  std::function<void(const ByteSink&)> write;  // hands on all bytes, piece by piece
+  std::function<void(const ByteSink&)> write;  // passes on all bytes, piece by piece
 };
 
-/// Writes regular files whole or not at all: none takes its place before all are complete, and
-/// what stood there keeps its permissions and its owner. Links are followed. Anything else (a
+/// Writes each regular file completely or not at all: no file replaces its target before all are
+/// complete. A replaced file's permissions and owner are kept. Links are followed. Anything else (a
 /// device, a pipe) is written directly, and first. Throws InputError "cannot write PATH: reason".
 void write_whole_files(std::span<const FileToWrite> files);
 
 void write_whole_file(const std::string& path, std::string_view text);
 
-/// Throws InputError if write_whole_files() would have no chance, and leaves all as it was: for
-/// commands that have much to do before they write.
+/// Throws InputError if write_whole_files() would certainly fail; changes nothing. Commands that
+/// work for long before they write call it first.
 void require_writable(const std::string& path);
 
 }  // namespace octocell

@@ -62,10 +62,10 @@ std::string list_header(std::string_view descr, std::size_t count) {
   return npy_header_bytes(descr, fmt::format("({},)", count));
 }
 
-/// So much of a file is made at a time.
+/// That many rows are converted at a time.
 constexpr std::size_t kRowsAtOnce = 1 << 14;
 
-/// Rows [begin, end) in shortest decimals that are read as the same floats.
+/// Appends rows [begin, end) in the shortest decimals that are read as the same floats.
 void append_csv(fmt::memory_buffer& text, SceneView scene, std::size_t begin, std::size_t end) {
   const auto out = std::back_inserter(text);
   for (std::size_t i = begin; i < end; ++i) {

@@ -9,27 +9,28 @@
 
 namespace octocell {
 
-/// All write NPY, version 1.0, C order, little-endian: float32 (n, 4) or uint32 (m, 2). A scene
-/// whose name ends in .csv becomes CSV, and has columns for its flags if it has any. `flags_path`
-/// names another NPY for them, uint32 (n,); NPY without it cannot hold a scene with flags.
+/// Functions that write NPY, version 1.0, C order, little-endian: float32 (n, 4) or uint32 (m, 2).
+/// A scene whose name ends in .csv becomes CSV, with columns for its flags if it has any.
+/// `flags_path` names another NPY for them, uint32 (n,); without it, NPY cannot hold a scene with
+/// flags.
 ///
-/// A regular file appears whole or not at all: it is written beside the target, synced, and
-/// renamed (both, where there are two); after a failure an existing target is as it was, and
-/// nothing else is left. Devices and pipes (/dev/stdout) are written to directly. Throws InputError
-/// with path and reason; the name of a regular file must say its format, so that it can be loaded
-/// again.
+/// A regular file is written completely or not at all: it is written beside the target, synced and
+/// renamed (both files, if there are two). After a failure an existing target is unchanged, and no
+/// other file is left. Devices and pipes (/dev/stdout) are written directly. Throws InputError with
+/// path and reason. The name of a regular file must have the extension of its format, so that it
+/// can be loaded again.
 void save_scene(const std::string& path, SceneView scene, const std::string& flags_path = {});
 inline void save_scene(const std::string& path, std::span<const Sphere> spheres) {
   save_scene(path, SceneView{spheres});
 }
 void save_pairs(const std::string& path, std::span<const Pair> pairs);
 
-/// Writes the depth of each pair, in their order, float32 (m,), and the pairs, unless `pairs_path`
-/// is empty. Depths are computed while they are written: they need no memory.
+/// Writes the depth of each pair, in the order of pairs, float32 (m,), and also the pairs unless
+/// `pairs_path` is empty. Depths are computed while they are written, so they need no memory.
 void save_depths(const std::string& path, std::span<const Sphere> spheres,
                  std::span<const Pair> pairs, const std::string& pairs_path = {});
 
-/// Throws what the functions above would throw for this path, as far as it is known beforehand.
+/// Throw what the functions above would throw for this path, as far as that is known beforehand.
 void require_savable_scene(const std::string& path);
 void require_savable_list(const std::string& path);  // pairs, depths or flags
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spheres in a row along x; with the preset spacing each touches the next exactly: n - 1 pairs.
+// Spheres in a row along x. With the preset spacing each touches the next exactly: n - 1 pairs.
 #include <cstddef>
 #include <vector>
 

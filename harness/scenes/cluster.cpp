@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Most spheres in bell-shaped clouds around a few centres, the rest spread over the box: cells
-// hold very different numbers of spheres.
+// Most spheres are in bell-shaped clouds around a few centres, the rest is spread over the box. So
+// cells hold very different numbers of spheres.
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -10,8 +10,9 @@
 namespace octocell::families {
 namespace {
 
-/// The standard deviation that gives a cloud of `count` spheres the volume fraction `peak` at its
-/// centre, where the density of a normal distribution is count / ((2 pi)^(3/2) width^3).
+/// Returns the standard deviation with which a cloud of `count` spheres has the volume fraction
+/// `peak` at its centre. There the density of a normal distribution is count / ((2 pi)^(3/2)
+/// width^3).
 double cloud_width(double count, double peak) {
   const double two_pi = 2.0 * std::numbers::pi;
   return cube_root(count * sphere_volume(kRadius) / (peak * two_pi * std::sqrt(two_pi)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A flat scene (z = 0) with radii that follow a power law: many small, few large.
+// A flat scene (z = 0) with radii that follow a power law: many small ones, few large ones.
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -14,7 +14,7 @@ std::vector<AnySphere> discs(const Parameters& parameters) {
   std::vector<AnySphere> spheres(parameters.whole("n"));
   const double ratio = parameters.real("ratio");
   const double smallest = kRadius / ratio;
-  // For a density like r^-3 the distribution function is inverted with one square root.
+  // For a density like r^-3, one square root inverts the distribution function.
   const double span = 1.0 - 1.0 / (ratio * ratio);
   Random random(parameters.whole("seed"));
   double area = 0.0;

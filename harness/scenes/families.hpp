@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One function per generator; the table in scenes.cpp says what each makes. A generator computes in
-// float64 and rounds each number once, at the end, to the number type of its spheres: of Sphere or
-// of DoubleSphere.
-// All lengths are in radii of the largest common sphere, which is 0.5 throughout.
+// float64 and rounds each number once, at the end, to the number type of Sphere or DoubleSphere.
+// All lengths are in units where the largest common sphere has radius 0.5.
 #pragma once
 
 #include <cmath>
@@ -46,20 +45,21 @@ using NumberOf = decltype(AnySphere::r);
 
 inline double sphere_volume(double r) { return 4.0 / 3.0 * std::numbers::pi * r * r * r; }
 
-/// The side of a cube of which `count` spheres of radius kRadius fill `volume_fraction`,
-/// overlaps counted twice.
+/// Returns the side of a cube in which `count` spheres of radius kRadius fill `volume_fraction`;
+/// overlaps count twice.
 inline double box_side(std::size_t count, double volume_fraction) {
   return cube_root(static_cast<double>(count) * sphere_volume(kRadius) / volume_fraction);
 }
 
-/// Uniform in a cube (or its floor, z = 0) around `centre` on each axis.
+/// Returns a coordinate that is uniform in a cube (or its floor, z = 0) around `centre` on each
+/// axis.
 template <typename Number>
 Number coordinate_in_box(Random& random, double side, double centre = 0.0) {
   return static_cast<Number>(centre + (random.uniform() - 0.5) * side);
 }
 
-/// The place of a lattice's plane, so many steps from the first of `side` planes; the middle one
-/// lies at zero.
+/// Returns the coordinate of a lattice's plane number `steps` of `side` planes; the middle one lies
+/// at zero.
 template <typename Number>
 Number coordinate_on_lattice(std::size_t steps, std::size_t side, double step) {
   return static_cast<Number>((static_cast<double>(steps) - static_cast<double>(side / 2)) * step);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Spheres packed as densely as can be: a face-centred cubic lattice, on which each touches twelve
-// others. Coordinates are multiples of spacing / sqrt 2, so every contact is off by a rounding,
-// either way: here float32 errs.
+// Spheres in the densest packing: a face-centred cubic lattice, in which each touches twelve
+// others. Coordinates are multiples of spacing / sqrt 2, so rounding moves every contact in one
+// direction or the other; a plain float32 test gets some of them wrong.
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -11,7 +11,7 @@
 namespace octocell::families {
 namespace {
 
-/// The lowest even side of a cubic lattice half of which holds `count` spheres.
+/// Returns the smallest even side of a cubic lattice half of whose points are at least `count`.
 std::size_t even_side(std::size_t count) {
   std::size_t side = 2;
   while (side * side * side / 2 < count) side += 2;
@@ -20,7 +20,7 @@ std::size_t even_side(std::size_t count) {
 
 }  // namespace
 
-/// Of the points of a cubic lattice, those whose coordinates have an even sum.
+/// Uses the points of a cubic lattice whose coordinates have an even sum.
 template <typename AnySphere>
 std::vector<AnySphere> fcc(const Parameters& parameters) {
   using Number = NumberOf<AnySphere>;

@@ -18,7 +18,7 @@ std::uint64_t mixed(std::uint64_t number) {
   return mix_pair({static_cast<std::uint32_t>(number >> 32), static_cast<std::uint32_t>(number)});
 }
 
-/// Uniform in [0, 1): the k-th number of a sphere, whatever other spheres there are.
+/// Returns the k-th random number of a sphere, uniform in [0, 1), independent of other spheres.
 double draw(std::uint64_t seed, std::uint64_t sphere, std::uint64_t k) {
   return static_cast<double>(mixed(mixed(seed) + 2 * sphere + k) >> 11) * 0x1p-53;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Flags for generated scenes, handled once for all generators: `gas:n=1e5,static=0.9,groups=3`.
+// Flags for generated scenes, the same for all generators: `gas:n=1e5,static=0.9,groups=3`.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,9 @@
 
 namespace octocell {
 
-/// One a sphere, or none if neither parameter asks for any. Which spheres are static and which are
-/// in which group follows from the scene's seed (1 where it has none) and their ids alone.
+/// Returns one flag word a sphere, or none if neither parameter asks for flags. Which spheres are
+/// static, and which group each is in, depends only on the scene's seed (1 if it has none) and the
+/// ids.
 std::vector<Flags> make_scene_flags(const Parameters& parameters, std::size_t sphere_count);
 
 }  // namespace octocell

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Equal spheres, placed uniformly and without regard to one another. The box is centred on the
-// origin, so coordinates have both signs.
+// Equal spheres, placed uniformly and independently. The box is centred on the origin, so
+// coordinates have both signs.
 #include <vector>
 
 #include "harness/scenes/families.hpp"
@@ -30,7 +30,8 @@ std::vector<AnySphere> gas(const Parameters& parameters) {
   return gas_around<AnySphere>(parameters, 0.0);
 }
 
-// Far from the origin floats are coarse: many spheres share coordinates, and box corners round.
+// Far from the origin, floats are coarse: many spheres share coordinates, and box corners are
+// rounded.
 template <typename AnySphere>
 std::vector<AnySphere> shifted(const Parameters& parameters) {
   return gas_around<AnySphere>(parameters, parameters.real("offset"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A cubic lattice of spheres that touch their neighbours exactly, if the spacing is a short
-// binary number such as 1 or 0.25. With 0.1 the contacts are off by a rounding, either way.
+// A cubic lattice of spheres that touch their neighbours exactly, if the spacing is a short binary
+// number such as 1 or 0.25. With 0.1, rounding moves the contacts in one direction or the other.
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -10,7 +10,7 @@
 namespace octocell::families {
 namespace {
 
-/// The lowest s with s^3 >= count.
+/// Returns the smallest s with s^3 >= count.
 std::size_t cube_side(std::size_t count) {
   std::size_t side = 0;
   while (side * side * side < count) ++side;

@@ -20,10 +20,10 @@
 namespace octocell {
 namespace {
 
-constexpr double kStep = 0.0577;  // of the radius: at most 0.1 radii in three dimensions
+constexpr double kStep = 0.0577;  // part of the radius: at most 0.1 radii in three dimensions
 constexpr double kSlowStep = kStep / 10.0;
-constexpr double kFewMove = 0.1;        // of all spheres
-constexpr double kAcceleration = 0.02;  // of the largest radius, a frame and frame
+constexpr double kFewMove = 0.1;        // part of all spheres
+constexpr double kAcceleration = 0.02;  // part of the largest radius, per frame and frame
 constexpr double kRestitution = 0.5;
 
 struct Body {
@@ -53,14 +53,14 @@ World world_of(const std::vector<Sphere>& start) {
   return world;
 }
 
-/// Once is enough for steps shorter than the box; a thinner box is clamped.
+/// Reflects once, which is enough for steps shorter than the box; in a thinner box, clamps.
 double reflect(double value, double low, double high) {
   if (value < low) value = low + (low - value);
   if (value > high) value = high - (value - high);
   return std::clamp(value, low, high);
 }
 
-/// `longest`: the step along an axis, in radii.
+/// Moves a sphere by at most `longest` along each axis, in radii.
 void jostle(World& world, std::size_t i, double longest, float radius, Random& random) {
   for (int a = 0; a < 3; ++a) {
     const double step = (2.0 * random.uniform() - 1.0) * longest * radius;
@@ -75,7 +75,7 @@ void step_brownian(World& world, const std::vector<Sphere>& radii, double step, 
   }
 }
 
-/// Draws the few from the same seed in every frame, so that they stay the same.
+/// Draws the few from the same seed in every frame, so they are always the same spheres.
 void step_few(World& world, const std::vector<Sphere>& radii, std::uint64_t seed, Random& random) {
   Random draw(~seed);
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
@@ -111,7 +111,8 @@ void step_gravity(World& world) {
   }
 }
 
-/// The bodies of static spheres move unseen, so that those of others draw the same numbers.
+/// The bodies of static spheres move, too, but this is not shown: so other spheres draw the same
+/// random numbers with and without flags.
 std::vector<Sphere> snapshot(const World& world, const std::vector<Sphere>& start,
                              std::span<const Flags> flags) {
   std::vector<Sphere> spheres;

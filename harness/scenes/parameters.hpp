@@ -12,20 +12,20 @@
 
 namespace octocell {
 
-/// Every parameter of one generator with its value.
+/// The values of all parameters of one generator.
 class Parameters {
  public:
-  /// All at their presets.
+  /// Sets all parameters to their presets.
   explicit Parameters(const SceneInfo& scene);
   /// Throws InputError if a parameter is unknown, given twice, not a number or out of range.
   Parameters(const SceneInfo& scene, std::string_view text);
 
-  /// `name` is in the generator's table.
+  /// Return a parameter; `name` must be in the generator's table.
   [[nodiscard]] double real(std::string_view name) const;
   [[nodiscard]] std::uint64_t whole(std::string_view name) const;
   [[nodiscard]] bool has(std::string_view name) const;
 
-  /// `name=value,...`; parsing it gives the same values.
+  /// Returns `name=value,...`; parsing that gives the same values.
   [[nodiscard]] std::string spelt_out() const;
 
  private:

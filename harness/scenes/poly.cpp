@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Radii from 0.5 / ratio to 0.5, each octave equally often; placed as in a gas.
+// Radii from 0.5 / ratio to 0.5, with each octave equally frequent; placed as in a gas.
 #include <vector>
 
 #include "harness/scenes/families.hpp"

@@ -32,7 +32,7 @@ constexpr ParameterInfo radii_to(double preset) {
 constexpr ParameterInfo spaced(double preset) {
   return {"spacing", "distance of neighbours", preset, 1e-6, 1e6, kReal};
 }
-// Doubles count without gaps up to 2^53.
+// Float64 represents all whole numbers up to 2^53.
 constexpr ParameterInfo kSeed{"seed", "of the random numbers", 1, 0, 9007199254740991, kWhole};
 
 constexpr ParameterInfo kGas[] = {count_up_to(kMost), kSeed, filled(0.1)};
@@ -63,7 +63,7 @@ constexpr ParameterInfo kGiant[] = {
 constexpr ParameterInfo kDiscs[] = {count_up_to(kMost), kSeed, filled(0.1), radii_to(100)};
 constexpr ParameterInfo kIdentical[] = {count_up_to(65536, 1000)};
 constexpr ParameterInfo kFcc[] = {count_up_to(kMost), spaced(1)};
-// Whole coordinates up to 2^24 are exact in float32, so every link of the chain is alike.
+// Whole coordinates up to 2^24 are exact in float32, so all links of the chain are alike.
 constexpr ParameterInfo kChain[] = {count_up_to(0x1p24), spaced(1)};
 
 constexpr SceneInfo kScenes[] = {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Generators of scenes: "gas:n=1e5,seed=7". Files are harness/files/load.hpp's.
+// Generators of scenes: "gas:n=1e5,seed=7". For files see harness/files/load.hpp.
 #pragma once
 
 #include <span>
@@ -31,19 +31,19 @@ struct SceneInfo {
   std::string_view summary;
   std::span<const ParameterInfo> parameters;
   std::vector<Sphere> (*make)(const Parameters&);
-  /// The same before each number is rounded to float32, once and at the end.
+  /// Makes the same spheres before each number is rounded to float32.
   std::vector<DoubleSphere> (*make_unrounded)(const Parameters&);
 };
 
-/// The one table of generators.
+/// Returns the table of all generators.
 std::span<const SceneInfo> scenes();
 
-/// What each of them takes besides: static, groups.
+/// Returns the parameters that every generator has in addition: static, groups.
 std::span<const ParameterInfo> flag_parameters();
 
-/// `spec` is `name` or `name:parameter=value,...`. The same spec gives the same bits on every
-/// machine, with every compiler and every flag (but not with -ffast-math, which is refused).
-/// Throws InputError (says what is known) and LimitError (not enough memory).
+/// Makes a scene. `spec` is `name` or `name:parameter=value,...`. The same spec gives the same bits
+/// on every machine, with every compiler and every flag (but -ffast-math is refused). Throws
+/// InputError, which lists what is known, and LimitError if there is not enough memory.
 Scene generate(std::string_view spec, const LoadOptions& options = {});
 
 }  // namespace octocell
