@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a finder and a scene to a complete answer, however small the first buffers were.
+// Runs a finder on a scene until its answer is complete, however small the first buffers were.
 #pragma once
 
 #include <span>
@@ -10,26 +10,27 @@
 namespace octocell {
 
 struct Outcome {
-  Plan plan;  // the one that was large enough
+  Plan plan;  // the last one, which was large enough
   Counts counts;
   StageTimes times;      // of the last run
-  double plan_ms = 0.0;  // statistics and choices
+  double plan_ms = 0.0;  // for statistics and choices
   int runs = 0;          // 1 unless a buffer had to grow
 };
 
-/// The plan for a finder: of our own backends after a look at the scene, of a baseline at once.
+/// Returns the plan for a finder. For our own backends it depends on the scene; for a baseline it
+/// does not.
 Plan plan_scene(SceneView scene, const PlanOptions& options);
 
-/// Plans, uploads, finds, and repeats with larger buffers until everything fits. The finder then
-/// holds the answer, unless counts.over_candidate_limit says that it was not looked for.
-/// Throws InputError for an invalid sphere, LimitError where the rule does not hold for the scene.
+/// Plans, uploads and finds, and repeats with larger buffers until everything fits. Then the finder
+/// holds the answer, unless counts.over_candidate_limit says that the search was not done. Throws
+/// InputError for an invalid sphere, and LimitError if the rule does not hold for the scene.
 Outcome find_completely(PairFinder& finder, SceneView scene, const PlanOptions& options);
 
-/// The same from a plan that stands; plan_ms is zero.
+/// Does the same with a given plan; plan_ms is zero.
 Outcome complete(PairFinder& finder, SceneView scene, Plan plan, StageClock& clock);
 
-/// The pairs of a complete answer, sorted, as long as the finder keeps them. Throws LimitError
-/// where they lie on a device and there is no memory for a copy.
+/// Returns the pairs of a complete answer, sorted; valid as long as the finder keeps them. Throws
+/// LimitError if they are on a device and there is no memory for a copy.
 std::span<const Pair> fetch_pairs(PairFinder& finder, const Outcome& outcome);
 
 }  // namespace octocell

@@ -35,7 +35,7 @@ using Bytes = std::span<const std::byte>;
 
 enum class Ending : std::uint32_t { answer, input_error, limit_error };
 
-/// What the child sends first; then the text of its error, or its pairs.
+/// The first data that the child sends; the text of its error, or its pairs, follow.
 struct Head {
   Ending ending;
   bool over_candidate_limit;
@@ -61,7 +61,7 @@ class End {
   int fd_;
 };
 
-/// The child: writes all bytes or exits: errors cannot be reported.
+/// For the child. Writes all bytes or exits: errors cannot be reported.
 void write_whole(const End& pipe, Bytes bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(pipe.fd(), bytes.data(), bytes.size());
@@ -92,8 +92,8 @@ void send_error(const End& pipe, Ending ending, std::string_view text) {
   write_whole(pipe, std::as_bytes(std::span(text)));
 }
 
-/// Crashes shall end the child and nothing else: no handlers of the parent's (sanitizers and the
-/// command line have some), no core files, and no child without a parent.
+/// Makes sure that a crash ends only the child: removes the parent's signal handlers (sanitizers
+/// and the command line have some) and core files, and ends the child if its parent ends.
 void become_a_child(pid_t parent) {
   for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGPIPE, SIGINT}) {
     std::signal(number, SIG_DFL);
@@ -120,7 +120,7 @@ void answer(const End& pipe, const std::function<std::unique_ptr<PairFinder>()>&
   write_whole(pipe, std::as_bytes(pairs));
 }
 
-/// Everything that the child does. It leaves by _exit(): what was buffered is the parent's.
+/// Does all work of the child. It ends by _exit(), because buffered output belongs to the parent.
 [[noreturn]] void be_the_child(const End& pipe,
                                const std::function<std::unique_ptr<PairFinder>()>& create,
                                SceneView scene, const PlanOptions& options) {
@@ -136,7 +136,7 @@ void answer(const End& pipe, const std::function<std::unique_ptr<PairFinder>()>&
   _exit(0);
 }
 
-/// The parent's side: reads what comes, ends the child at the deadline, and waits for it.
+/// The parent's view of the child: reads its data, ends it at the deadline, and waits for it.
 class Child {
  public:
   Child(pid_t id, End& pipe, std::chrono::duration<double> limit)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A finder in a process of its own: if it crashes or never ends, that is an answer, too.
+// Runs a finder in a process of its own: a crash or an endless loop is then a result, too.
 #pragma once
 
 #include <chrono>
@@ -13,16 +13,15 @@
 namespace octocell {
 
 struct IsolatedAnswer {
-  Counts counts;  // without plan_violation: that is thrown
+  Counts counts;  // without plan_violation, which is thrown instead
   PairDigest digest;
-  std::vector<Pair> pairs;  // as download() gives them; empty over the candidate limit
+  std::vector<Pair> pairs;  // as from download(); empty if over the candidate limit
 };
 
-/// find_completely() in a child process, which ends with it. The finder is created there, so that
-/// its threads are the child's; the caller must have none that hold locks.
-/// Throws what the child threw (InputError, LimitError), and LimitError if the child crashed
-/// ("crashed with SIGSEGV"), did not answer in time ("no answer within 60 s"), or could not be
-/// made.
+/// Calls find_completely() in a child process, which then ends. The finder is created there, so its
+/// threads belong to the child; the caller must have no threads that hold locks. Throws what the
+/// child threw (InputError, LimitError). Throws LimitError if the child crashed ("crashed with
+/// SIGSEGV"), did not answer in time ("no answer within 60 s"), or could not be started.
 IsolatedAnswer find_isolated(const std::function<std::unique_ptr<PairFinder>()>& create,
                              SceneView scene, const PlanOptions& options,
                              std::chrono::duration<double> limit);

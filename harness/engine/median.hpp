@@ -7,7 +7,8 @@
 
 namespace octocell {
 
-/// Of an even number of values the mean of the two in the middle. `values` must not be empty.
+/// Returns the median; for an even number of values, the mean of the two in the middle. `values`
+/// must not be empty.
 inline double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());

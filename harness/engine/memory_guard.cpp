@@ -21,19 +21,20 @@ double bytes_of(const Capacities& lists, const HostBytes& bytes) {
          bytes.per_pair * static_cast<double>(lists.uncertain_pairs + lists.pairs);
 }
 
-/// As long as before, but not longer than `certain` by more than that share.
+/// Shortens `room`: only `share` of what exceeds `certain` remains.
 std::uint64_t shortened(std::uint64_t room, std::uint64_t certain, double share) {
   if (room <= certain) return room;
   return certain + static_cast<std::uint64_t>(share * static_cast<double>(room - certain));
 }
 
-/// The lists of a plan that keeps no pairs.
+/// Removes the pair lists if the plan keeps no pairs.
 Capacities without_pairs(Capacities lists, bool count_only) {
   if (count_only) lists.uncertain_pairs = lists.pairs = 0;
   return lists;
 }
 
-/// `certain`: what is going to be written. `held`: memory of the finder's that it writes to again.
+/// Returns the plan with lists that fit. `certain` will be written anyway. `held` is memory that
+/// the finder already has and will write again.
 Plan fitted(Plan plan, const HostBytes& bytes, const Capacities& certain, double held) {
   const std::optional<double> available = available_bytes();
   const double wanted = bytes.fixed + bytes_of(plan.capacity, bytes);
@@ -59,7 +60,8 @@ Plan fitted(Plan plan, const HostBytes& bytes, const Capacities& certain, double
 }  // namespace
 
 Plan within_memory(const Plan& plan, const HostBytes& bytes) {
-  constexpr double kUnasked = kGiB / 4.0;  // below, asking would take longer than it is worth
+  constexpr double kUnasked = kGiB / 4.0;  // smaller plans are not checked: that would take too
+                                           // long
   if (bytes.fixed + bytes_of(plan.capacity, bytes) < kUnasked) return plan;
   Capacities certain;
   if (plan.method == Method::half_shell) certain.ids = plan.capacity.ids;

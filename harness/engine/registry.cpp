@@ -23,7 +23,7 @@ namespace {
 constexpr Costs kDeviceCosts = {.per_id = 0.042,
                                 .per_id_and_pass = 0.018,
                                 .per_candidate = 0.0037,
-                                .per_run = 15e3,  // more kernels
+                                .per_run = 15e3,  // for more kernels
                                 .per_row = 0.0,
                                 .digit_bits = 10,
                                 .shell = {.per_sphere = 0.09,
@@ -40,8 +40,8 @@ constexpr Costs kDeviceCosts = {.per_id = 0.042,
                                           .sides_per_doubling = 4,
                                           .most_columns = 1}};
 
-/// impl_thrust is written to be read: a sphere finds its neighbours' rows by binary search. Its
-/// sort takes four passes, whatever bits the ids have; they are part of per_id and per_sphere.
+/// impl_thrust is written to be read: a sphere finds the rows of its neighbours by binary search.
+/// Its sort always takes four passes, which are included in per_id and per_sphere.
 constexpr Costs kThrustCosts = {.per_id = 53.0,
                                 .per_id_and_pass = 0.0,
                                 .per_candidate = 0.9,
@@ -80,9 +80,10 @@ constexpr Costs times(Costs costs, const Factors& factors) {
   return costs;
 }
 
-/// Thrust's kernels take longer than ours, most of all those that search for rows: on the same
-/// machine, a hundred to a million spheres. Its sort takes four passes there, too; it allocates,
-/// and waits, which brute_force does not; and all cells that a sphere meets are one thread's work.
+/// Thrust's kernels take longer than ours, most of all those that search for rows. This was
+/// measured on the same machine with a hundred to a million spheres. The sort takes four passes
+/// there, too. It also allocates and waits, which brute_force does not. One thread handles all
+/// cells that a sphere meets.
 constexpr Costs with_kernels_of_thrust(Costs costs) {
   constexpr int kPasses = 4;
   costs.digit_bits = 8;
@@ -92,7 +93,7 @@ constexpr Costs with_kernels_of_thrust(Costs costs) {
   costs = times(costs, {.home_phantom = 1.56, .half_shell = 3.6, .brute_force = 0.35});
   costs.per_id_of_one = 100.0;
   costs.per_grid = 150e3;
-  costs.per_run = -20e3;  // it looks for no rows
+  costs.per_run = -20e3;  // home_phantom does not search for rows
   return costs;
 }
 constexpr Costs kThrustDeviceCosts = with_kernels_of_thrust(kDeviceCosts);
@@ -103,8 +104,8 @@ constexpr std::array kAllPredicates = {
     Predicate::q16_cell, Predicate::q16_exact, Predicate::gram_f32};
 constexpr std::span<const Predicate> kPlainPredicates = std::span(kAllPredicates).first<4>();
 
-/// Devices, and Thrust, read a radius with its coordinates anyway; their sorts are queued with all
-/// passes before anybody knows a digit, and Thrust's with passes over all bits of a word.
+/// GPUs and Thrust read a radius together with its coordinates anyway. Their sorts are queued with
+/// all passes before any digit is known; Thrust's passes cover all bits of a word.
 constexpr Skips kThrustSkips = Skips::all()
                                    .without(Skip::key_bits)
                                    .without(Skip::equal_radii)
@@ -112,7 +113,8 @@ constexpr Skips kThrustSkips = Skips::all()
                                    .without(Skip::unchanged)
                                    .without(Skip::few_movers)
                                    .without(Skip::skin);
-/// To learn whether ids come in order, the host would have to wait: a fifteenth of every search.
+/// To learn whether ids are already in order, the host would have to wait: a fifteenth of every
+/// search.
 constexpr Skips kThrustDeviceSkips = kThrustSkips.without(Skip::sort);
 constexpr Skips kCudaSkips =
     Skips::all().without(Skip::equal_radii).without(Skip::passes).without(Skip::few_movers);
@@ -219,7 +221,7 @@ std::string Implementation::label() const {
 
 std::vector<Implementation> implementations(std::string_view backend) {
   std::vector<Implementation> list;
-  if (backend != "all") backend_named(backend);  // an unknown name is an error
+  if (backend != "all") backend_named(backend);  // throws for an unknown name
   for (const BackendInfo& b : backends()) {
     if (backend != "all" && backend != b.name) continue;
     list.push_back({.backend = &b});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one list of everything that can answer: our backends and the baselines.
+// The list of everything that can answer: our backends and the baselines.
 #pragma once
 
 #include <cstdint>
@@ -18,64 +18,67 @@ namespace octocell {
 enum class Kind : std::uint8_t { backend, baseline };
 
 struct BackendInfo {
-  std::string_view name;  // of a backend: its folder's, + _cuda on a device; of a baseline:
-                          // library, class, tuning
+  std::string_view name;  // a backend's folder, + _cuda for a GPU; a baseline's library, class,
+                          // tuning
   Kind kind;
-  std::string_view summary;                    // one line, for people
-  std::span<const Method> methods;             // empty for baselines: they have their own
-  std::span<const Predicate> predicates = {};  // likewise
-  Skips skips = Skips::all();                  // what it can leave out
-  bool threaded;                               // false: one thread whatever the plan says
-  /// Nothing if it can run here, else why not.
+  std::string_view summary;                    // one line for users
+  std::span<const Method> methods;             // empty for baselines, which have their own
+  std::span<const Predicate> predicates = {};  // the same
+  Skips skips = Skips::all();                  // the skips that it has
+  bool threaded;                               // false: one thread, whatever the plan says
+  /// Returns none if it can run here, otherwise why not.
   std::optional<std::string> (*why_unavailable)();
   std::unique_ptr<PairFinder> (*create)();
-  /// It computes on a device, with memory of its own.
+  /// True if it computes on a GPU, with the GPU's memory.
   bool device = false;
-  /// It has device_runs().
+  /// True if it has device_runs().
   bool has_device_runs = false;
-  /// What the planner weighs cells by.
+  /// The costs by which the planner compares methods and cells.
   Costs costs = {};
-  /// Why its answers can lack pairs although it is driven as it should be; empty if they cannot.
+  /// Why its answers can lack pairs although it is used correctly; empty if they cannot.
   std::string_view known_issues = {};
 };
 
-/// Backends first, then baselines; the order of every table and plot.
+/// Returns backends first, then baselines: the order of every table and plot.
 std::span<const BackendInfo> backends();
 
-/// The entry of that name. Throws InputError listing the known names.
+/// Returns the entry of that name. Throws InputError that lists the known names.
 const BackendInfo& backend_named(std::string_view name);
 
 /// One way to answer: a row of every table.
 struct Implementation {
   const BackendInfo* backend;
-  std::optional<Method> method = {};  // of our backends; none: the planner chooses
-  Rule rule = Rule::lowest_cell;      // of method home_phantom
+  std::optional<Method> method = {};  // for our backends; none: the planner chooses
+  Rule rule = Rule::lowest_cell;      // for method home_phantom
   Predicate predicate = Predicate::exact;
 
   [[nodiscard]] bool is_baseline() const { return backend->kind == Kind::baseline; }
   [[nodiscard]] bool has_rule() const { return !is_baseline() && method == Method::home_phantom; }
-  /// Ours, as the planner would have it.
+  /// Returns true for a backend whose method the planner chooses.
   [[nodiscard]] bool planned() const { return !is_baseline() && !method; }
-  /// "planned" or the method's name.
+  /// Returns "planned" or the method's name.
   [[nodiscard]] std::string_view method_name() const {
     return method ? name_of(*method) : "planned";
   }
-  /// Kept because it is wrong: its losses are the lesson, and no row of it counts as a failure.
+  /// Returns true for a row that is kept because it is wrong: it shows what is lost, and never
+  /// counts as a failure.
   [[nodiscard]] bool negative_control() const {
     return (has_rule() && rule == Rule::as_written) || !claims_exact(predicate);
   }
-  /// A library's own fault: pairs that such a row lacks are reported, and not counted as a failure.
+  /// Returns true for a library with known issues: pairs that its row lacks are reported, but do
+  /// not count as a failure.
   [[nodiscard]] bool has_known_issues() const { return !backend->known_issues.empty(); }
-  /// What the planner is told of it.
+  /// Returns the options that such a row gives to the planner.
   [[nodiscard]] PlanOptions plan_options(int threads = 1) const;
-  /// "impl_cpu planned", "impl_cpu planned f32", "impl_cpu home_phantom lowest_cell"
+  /// Returns for example "impl_cpu planned", "impl_cpu planned f32", "impl_cpu home_phantom
+  /// lowest_cell".
   [[nodiscard]] std::string label() const;
 };
 
-/// All that are exact by the default predicate, or those of one backend ("all" or a name).
+/// Returns all implementations that are exact by the default predicate, of one backend or of "all".
 std::vector<Implementation> implementations(std::string_view backend = "all");
 
-/// The planned method with each other predicate that a backend has.
+/// Returns the planned method with each other predicate that a backend has.
 std::vector<Implementation> other_predicates(std::string_view backend = "all");
 
 }  // namespace octocell

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// |p - q|^2 <= (r_p + r_q)^2 once more, in another way than the predicate and the reference do, so
-// that a mistake would have to be made twice: the squares are multiplied out into products of two
-// inputs, and these are added, digit by digit, in columns.
+// Decides |p - q|^2 <= (r_p + r_q)^2 in a third way, unlike the predicate and the reference, so
+// that the same mistake would have to be made twice. It multiplies the squares out into products of
+// two inputs and adds these, digit by digit, in columns.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,9 @@
 
 namespace octocell::near_tangent {
 
-/// A float32: significand * 2^(exponent - 149), exponent in 0..253.
+/// A float32 as significand * 2^(exponent - 149), exponent in 0..253.
 struct Parts {
-  std::int64_t significand;  // with the sign
+  std::int64_t significand;  // including the sign
   int exponent;
 };
 OCTOCELL_HD Parts parts_of(float value) {
@@ -44,21 +44,22 @@ class ColumnSum {
     put(column + 2, high >> 32, negative);
   }
 
-  /// -1, 0 or 1.
+  /// Returns the sign: -1, 0 or 1.
   [[nodiscard]] OCTOCELL_HD int sign() const {
     std::int64_t carry = 0;
     bool any = false;
     for (int k = 0; k < kColumns; ++k) {
       const std::int64_t here = columns_[k] + carry;
       any = any || (here & 0xffffffff) != 0;
-      carry = here >> 32;  // towards minus infinity: what is left is in 0..2^32 - 1
+      carry = here >> 32;  // rounds towards minus infinity: the remainder is in 0..2^32 - 1
     }
     if (carry < 0) return -1;
     return any || carry > 0 ? 1 : 0;
   }
 
  private:
-  static constexpr int kColumns = 18;  // the highest exponents sum to 506, a product has 50 bits
+  static constexpr int kColumns = 18;  // the highest exponents add up to 506, and a product has 50
+                                       // bits
 
   OCTOCELL_HD void put(int column, std::uint64_t digit, bool negative) {
     columns_[column] +=

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pairs of spheres that nearly touch, or just touch, made from a number: the same on every machine.
+// Pairs of spheres that nearly touch, or just touch. Each is made from a number, so it is the same
+// on every machine.
 #pragma once
 
 #include <array>
@@ -28,8 +29,8 @@ inline constexpr std::array<std::string_view, 6> kFamilyWords = {
     "a sphere and one up to 2^40 times smaller",
     "neighbours of a lattice whose spacing is a decimal fraction"};
 
-/// Bits that depend on nothing but the seed and how many were asked for (Steele, Lea and Flood,
-/// OOPSLA 2014, SplitMix64).
+/// Random bits that depend only on the seed and on how many were drawn before (Steele, Lea and
+/// Flood, OOPSLA 2014, SplitMix64).
 class Bits {
  public:
   OCTOCELL_HD explicit Bits(std::uint64_t seed) : state_(seed) {}
@@ -43,7 +44,7 @@ class Bits {
   OCTOCELL_HD int below(int end) {
     return static_cast<int>((next() >> 32) * static_cast<std::uint64_t>(end) >> 32);
   }
-  /// In [low, high).
+  /// Returns a number in [low, high).
   OCTOCELL_HD double real(double low, double high) {
     return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1p-53);
   }
@@ -68,7 +69,7 @@ OCTOCELL_HD Sphere sphere(double x, double y, double z, double r) {
           static_cast<float>(r)};
 }
 
-/// b is put where it touches a, give or take some steps of 2^-24.
+/// Puts b where it touches a, up to a few steps of 2^-24.
 OCTOCELL_HD Two touching(Bits& bits, double x, double y, double z, double ra, double rb) {
   const Sphere a = sphere(x, y, z, ra);
   const auto r = static_cast<double>(static_cast<float>(rb));
@@ -139,7 +140,7 @@ OCTOCELL_HD Two decimals(Bits& bits) {
       {spacing * (at[0] + step[0]), spacing * (at[1] + step[1]), spacing * (at[2] + step[2]), r}};
 }
 
-/// Pair `number` of a family. All finite, r >= 0.
+/// Makes pair `number` of a family. All numbers are finite, and r >= 0.
 OCTOCELL_HD Two make(Family family, std::uint64_t number) {
   Bits bits(number * 6 + static_cast<std::uint64_t>(family) + (std::uint64_t{1} << 60));
   Bits mixed(bits.next());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is the predicate right where it is hardest to be? Pairs that nearly touch, by the thousand
-// million, against integers.
+// Is the predicate right where that is most difficult?  Compares it with integers on billions of
+// pairs that nearly touch.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@
 
 namespace octocell::near_tangent {
 
-/// Pairs [begin, end) of a family on the host's threads.
+/// Tries pairs [begin, end) of a family on the host's threads.
 Tally try_on_host(Family family, std::uint64_t begin, std::uint64_t end, int threads);
 
-/// Why there is no device to do it on, if there is none.
+/// Returns why there is no device to try them on; none if there is one.
 std::optional<std::string> why_no_device();
-/// The same pairs on the device.
+/// Tries the same pairs on the device.
 Tally try_on_device(Family family, std::uint64_t begin, std::uint64_t end);
 
 }  // namespace octocell::near_tangent

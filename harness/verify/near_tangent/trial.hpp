@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One pair: how near a tie is it, and are all levels of the predicate right about it?
+// One pair: how near is it to a tie, and do all levels of the predicate decide it correctly?
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@
 
 namespace octocell::near_tangent {
 
-/// Of the pairs tried.
+/// Counts over the pairs tried.
 struct Tally {
   std::uint64_t tried = 0;
-  std::uint64_t near = 0;           // |D - R| <= 64 * 2^-24 R: what float32 may be wrong about
-  std::uint64_t mismatches = 0;     // of all tried: a level is certain of what the integers deny
-  std::uint64_t float32_wrong = 0;  // of the near ones: plain D <= R in float32
-  std::uint64_t first_wrong = ~std::uint64_t{0};  // its number
+  std::uint64_t near = 0;        // |D - R| <= 64 * 2^-24 R: pairs that float32 may decide wrongly
+  std::uint64_t mismatches = 0;  // of all tried: a level was certain, but the integers disagree
+  std::uint64_t float32_wrong = 0;  // of the near ones: D <= R in plain float32 is wrong
+  std::uint64_t first_wrong = ~std::uint64_t{0};  // number of the first pair that is wrong
 };
 
 OCTOCELL_HD bool is_near_tie(const Two& two) {
@@ -25,7 +25,7 @@ OCTOCELL_HD bool is_near_tie(const Two& two) {
   return fabs(test.excess) <= 0x1p-18 * test.radius_sum2;
 }
 
-/// What a level says, if it is certain, is what is true.
+/// Returns true if a level is uncertain, or certain and right.
 OCTOCELL_HD bool is_right(Verdict verdict, bool truth) {
   return verdict == Verdict::uncertain || (verdict == Verdict::overlap) == truth;
 }
@@ -46,7 +46,7 @@ OCTOCELL_HD void add(Tally& sum, const Tally& other) {
   if (other.first_wrong < sum.first_wrong) sum.first_wrong = other.first_wrong;
 }
 
-/// Pairs begin, begin + stride, ... below end.
+/// Tries pairs begin, begin + stride, ... below end.
 OCTOCELL_HD Tally try_pairs(Family family, std::uint64_t begin, std::uint64_t end,
                             std::uint64_t stride) {
   Tally tally;

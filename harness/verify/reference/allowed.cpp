@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The word of Flags, taken apart by its definition: division, and one group after another.
+// Takes the word of Flags apart by its definition: division, and one group after another.
 #include <cstdint>
 
 #include "harness/verify/reference/reference.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kGroups = 15;
 
-/// The binary digit that counts 2^place.
+/// Returns the binary digit of weight 2^place.
 bool digit(std::uint32_t number, int place) {
   for (; place > 0; --place) number /= 2;
   return number % 2 == 1;

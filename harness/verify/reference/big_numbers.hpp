@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// float32 numbers as the integers they are, for GMP.
+// Converts float32 numbers to exact integers for GMP.
 #pragma once
 
 #include <gmpxx.h>
@@ -10,7 +10,8 @@
 
 namespace octocell::reference {
 
-/// Every finite float32 is an integer multiple of 2^-149, and at most 2^277 of them: exact here.
+/// Returns the number in units of 2^-149: every finite float32 is an integer multiple of that, at
+/// most 2^277 units.
 inline mpz_class exactly(float value) {
   return mpz_class(std::ldexp(static_cast<double>(value), 149));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Boxes are p - r and p + r in float64. Rounding is monotone and comparisons are closed, so the
-// boxes of overlapping spheres meet whatever was rounded: p - r <= q + s implies
-// fl(p - r) <= fl(q + s).
+// Boxes are p - r and p + r in float64. Rounding is monotone and comparisons include equality. So
+// the boxes of overlapping spheres meet, however they were rounded: p - r <= q + s implies fl(p -
+// r) <= fl(q + s).
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -42,7 +42,7 @@ Box box_of(const SphereType& s) {
   return {{s.x - r, s.y - r, s.z - r}, {s.x + r, s.y + r, s.z + r}};
 }
 
-/// A node covers order[begin, end); its children are nodes 2k + 1 and 2k + 2.
+/// A node covers order[begin, end). The children of node k are nodes 2k + 1 and 2k + 2.
 template <typename SphereType>
 class BoxTree {
  public:
@@ -79,7 +79,7 @@ class BoxTree {
     return box;
   }
 
-  /// Along the axis on which the centres spread most.
+  /// Splits along the axis on which the centres are spread most.
   void split_at_median(std::size_t begin, std::size_t middle, std::size_t end) {
     const auto centre = [this](std::uint32_t i, int axis) -> double {
       const SphereType& s = spheres_[i];

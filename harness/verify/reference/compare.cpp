@@ -11,7 +11,7 @@ namespace octocell::reference {
 void require_available() {}
 namespace {
 
-/// Counts pairs that are on one side only, and remembers how far the worst is from contact.
+/// Counts pairs that are on one side only, and records how far the worst is from contact.
 class Tally {
  public:
   Tally(Comparison& difference, std::span<const Sphere> spheres)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Depths from integers: the square root of |p - q|^2 is taken with kFraction binary places more
-// than the unit 2^-149, and it is known whether anything was cut off.
+// Computes depths from integers: the square root of |p - q|^2 gets kFraction binary places more
+// than the unit 2^-149, and the code knows whether anything was cut off.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -22,7 +22,7 @@ constexpr std::size_t kSignificand = 24;  // bits of a float32
 struct Depth {
   bool negative;
   mpz_class magnitude;
-  bool exact;  // it is magnitude
+  bool exact;  // true if it is exactly `magnitude`
 };
 
 Depth exact_depth(const Sphere& a, const Sphere& b) {
@@ -38,7 +38,7 @@ Depth exact_depth(const Sphere& a, const Sphere& b) {
   return {false, radius_sum - distance - (exact ? 0 : 1), exact};
 }
 
-/// Binary places below a unit in the last place of the float32 next to it.
+/// Returns how many binary places lie below a unit in the last place of the float32 next to it.
 std::size_t places_below_ulp(const mpz_class& magnitude) {
   const std::size_t bits = mpz_sizeinbase(magnitude.get_mpz_t(), 2);
   return std::max<std::size_t>(bits, kSignificand + kFraction) - kSignificand;
@@ -65,7 +65,7 @@ double error_ulp(float claimed, const Depth& depth) {
   return std::ldexp(std::fabs(error.get_d()), -places);
 }
 
-/// The least value that so large a share of them does not exceed.
+/// Returns the smallest value that the given share of the values does not exceed.
 double quantile(const std::vector<double>& sorted, double share) {
   if (sorted.empty()) return 0.0;
   const double rank = std::ceil(share * static_cast<double>(sorted.size()));

@@ -7,10 +7,11 @@
 namespace octocell::reference {
 namespace {
 
-/// Relative distance between the two sides beyond which a few roundings of 2^-53 cannot matter.
+/// If the two sides differ by more than this part, a few roundings of 2^-53 do not matter.
 constexpr double kWideMargin = 1e-12;
 
-/// Below this, float64 squares may have lost digits to underflow (float32 inputs never do).
+/// Below this, float64 squares may have lost digits to underflow (with float32 inputs, this never
+/// happens).
 constexpr double kUnderflowFloor = 1e-280;
 
 bool overlap_by_big_numbers(const Sphere& a, const Sphere& b) {
@@ -18,7 +19,7 @@ bool overlap_by_big_numbers(const Sphere& a, const Sphere& b) {
   return sides.distance2 <= sides.radius_sum * sides.radius_sum;
 }
 
-/// Every finite float64 is a rational number.
+/// Uses rational numbers, which represent every finite float64.
 bool overlap_by_big_numbers(const DoubleSphere& a, const DoubleSphere& b) {
   const mpq_class dx = mpq_class(a.x) - mpq_class(b.x);
   const mpq_class dy = mpq_class(a.y) - mpq_class(b.y);

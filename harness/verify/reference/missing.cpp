@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// In place of the reference, in a build without GMP (OCTOCELL_DEVELOPER=OFF). Commands ask
-// require_available() before they begin, so the others are not reached.
+// Replaces the reference in a build without GMP (OCTOCELL_DEVELOPER=OFF). Commands call
+// require_available() before they begin, so the other functions are never called.
 #include <span>
 #include <vector>
 

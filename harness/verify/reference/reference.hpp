@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is right: the exact pair set, by two methods that share no code with the backends.
+// The truth: the exact pair set, by two methods that share no code with the backends.
 #pragma once
 
 #include <cstdint>
@@ -13,45 +13,47 @@
 
 namespace octocell::reference {
 
-/// Throws LimitError in a build without a reference; everything below needs one.
+/// Throws LimitError in a build without a reference; all functions below need one.
 void require_available();
 
-/// |p - q|^2 <= (r_p + r_q)^2 over the reals, for finite spheres with r >= 0:
-/// float64 where it is certain by a wide margin, else integers (GMP) in units of 2^-149.
+/// Returns whether |p - q|^2 <= (r_p + r_q)^2 over the reals, for finite spheres with r >= 0. Uses
+/// float64 if that is certain by a wide margin; otherwise integers (GMP) in units of 2^-149.
 bool overlap(const Sphere& a, const Sphere& b);
 
-/// The same for float64 spheres, as a file may hold them before they are rounded.
+/// Does the same for float64 spheres, as a file may hold them before rounding.
 bool overlap(const DoubleSphere& a, const DoubleSphere& b);
 
-/// Do the flags let the two collide? Not both static, and each in a group of the other's mask.
+/// Returns whether the flags let the two collide: not both are static, and each is in a group of
+/// the other's mask.
 bool allowed(Flags a, Flags b);
 
-/// One flag word a sphere; none: every pair that overlaps is in the set.
+/// One flag word a sphere; if empty, every pair that overlaps counts.
 using AllFlags = std::span<const Flags>;
 
-/// Every pair tested: O(n^2). Sorted, i < j.
+/// Tests every pair: O(n^2). Sorted, i < j.
 std::vector<Pair> brute_force(std::span<const Sphere> spheres, AllFlags flags = {});
 
-/// A tree of float64 boxes, split at medians, joined with itself: for large scenes. Sorted, i < j.
+/// Joins a tree of float64 boxes, split at medians, with itself; for large scenes. Sorted, i < j.
 std::vector<Pair> box_tree(std::span<const Sphere> spheres, AllFlags flags = {});
 std::vector<Pair> box_tree(std::span<const DoubleSphere> spheres, AllFlags flags = {});
 
-/// The exact pair set by the method that suits the size.
+/// Returns the exact pair set, by the method that suits the size.
 std::vector<Pair> exact_pairs(std::span<const Sphere> spheres, AllFlags flags = {});
 inline std::vector<Pair> exact_pairs(const Scene& scene) {
   return exact_pairs(scene.spheres, scene.flags);
 }
 
-/// r_p + r_q - |p - q|, rounded correctly to float32: the nearest, of two as near the even one.
-/// For finite spheres with r >= 0; negative where they are apart.
+/// Returns r_p + r_q - |p - q|, rounded correctly to float32 (to nearest, ties to even). For finite
+/// spheres with r >= 0; negative if they are apart.
 float depth(const Sphere& a, const Sphere& b);
 
-/// How far `claimed` is from the depth over the reals, in units in the last place of a float32 of
-/// that size: at most 0.5 if it was rounded correctly. Beyond float32, infinity is right (0).
+/// Returns how far `claimed` is from the depth over the reals, in units in the last place of a
+/// float32 of that size. It is at most 0.5 if `claimed` was rounded correctly. Beyond the range of
+/// float32, infinity is right (0).
 double depth_error_ulp(float claimed, const Sphere& a, const Sphere& b);
 
-/// The depth over the reals divided by r_p + r_q, to 1e-15 of itself however near to contact; the
-/// least float64 for two points (r = 0) that are apart.
+/// Returns the depth over the reals divided by r_p + r_q, to 1e-15 of its value even near contact.
+/// For two points (r = 0) that are apart, returns the lowest float64.
 double relative_depth(const Sphere& a, const Sphere& b);
 
 /// Errors of the depths of many pairs; zeros if there are none. Quantiles are values that occur.
@@ -59,7 +61,7 @@ struct DepthErrors {
   double median_ulp = 0.0;
   double p99_ulp = 0.0;
   double max_ulp = 0.0;
-  std::uint64_t not_nearest = 0;  // that are not the correctly rounded depth
+  std::uint64_t not_nearest = 0;  // depths that are not rounded correctly
 };
 DepthErrors depth_errors(std::span<const float> depths, std::span<const Pair> pairs,
                          std::span<const Sphere> spheres);
@@ -68,20 +70,22 @@ DepthErrors depth_errors(std::span<const float> depths, std::span<const Pair> pa
 struct Comparison {
   std::uint64_t missed = 0;       // in the truth, not in the answer
   std::uint64_t false_pairs = 0;  // in the answer, not in the truth
-  std::uint64_t duplicates = 0;   // reported again
-  /// By how much of r_p + r_q the deepest missed pair overlaps (0: it only touches), and the
-  /// farthest false pair is apart. None if there is no such pair, or if no spheres were given.
+  std::uint64_t duplicates = 0;   // pairs reported more than once
+  /// How deep the deepest missed pair overlaps (0 if it only touches), and how far the farthest
+  /// false pair is apart, as parts of r_p + r_q. None if there is no such pair, or if no spheres
+  /// were given.
   std::optional<double> worst_missed_depth = {};
   std::optional<double> worst_false_gap = {};
   [[nodiscard]] bool only_missed() const { return false_pairs == 0 && duplicates == 0; }
   [[nodiscard]] bool exact() const { return missed == 0 && only_missed(); }
 };
 
-/// Both sorted; the truth without duplicates. `spheres` are those that the pairs are of.
+/// Compares two sorted lists of pairs; the truth has no duplicates. `spheres` are those of the
+/// scene.
 Comparison compare(std::span<const Pair> answer, std::span<const Pair> truth,
                    std::span<const Sphere> spheres = {});
 
-/// What rounding a scene to float32 did to the exact pair set.
+/// How rounding a scene to float32 changed the exact pair set.
 struct RoundingEffect {
   std::uint64_t lost = 0;
   std::uint64_t gained = 0;

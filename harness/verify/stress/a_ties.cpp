@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A. Ties and rounding: spheres that touch exactly, or are an ulp from it.
+// A. Ties and rounding: spheres that touch exactly, or are an ulp away from touching.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,7 +34,7 @@ std::vector<Case> tangent_lattice(std::size_t n) {
   return cases;
 }
 
-/// Half the sum over 0 < |v|^2 <= m of prod(side - |v_i|).
+/// Returns half the sum over 0 < |v|^2 <= m of prod(side - |v_i|).
 std::uint64_t lattice_pairs(int side, int m) {
   std::uint64_t twice = 0;
   const auto room = [side](int v) {
@@ -51,7 +51,7 @@ std::uint64_t lattice_pairs(int side, int m) {
   return twice / 2;
 }
 
-/// The least float with (2r)^2 >= m; the square of a float is exact in float64.
+/// Returns the smallest float with (2r)^2 >= m; the square of a float is exact in float64.
 float least_radius(int m) {
   const auto reaches = [m](float r) { return 4.0 * r * r >= m; };
   auto r = static_cast<float>(std::sqrt(m) / 2.0);
@@ -81,7 +81,7 @@ std::vector<Case> integer_lattice(std::size_t n) {
   return cases;
 }
 
-/// k * 0.1 rounded twice, or once: other floats, other pairs.
+/// Uses k * 0.1 rounded twice, or once: other floats, other pairs.
 std::vector<Case> decimal_lattice(std::size_t n) {
   const int side = side_of(n);
   const auto of = [side](auto coordinate) {
@@ -111,7 +111,8 @@ std::vector<Case> close_packings(std::size_t n) {
   return {{.name = "fcc", .spheres = std::move(fcc)}, {.name = "hcp", .spheres = std::move(hcp)}};
 }
 
-/// Two spheres on integers whose squares add up; half of them with a number an ulp off.
+/// Makes couples of spheres on integers whose squares add up; half of them have a number that is an
+/// ulp off.
 std::vector<Case> pythagorean(std::size_t n) {
   constexpr std::array<std::array<int, 4>, 7> kQuadruples = {{{1, 2, 2, 3},
                                                               {2, 3, 6, 7},
@@ -156,7 +157,7 @@ std::vector<Case> closed_balls(std::size_t n) {
            .pair_count = 0}};
 }
 
-/// Couples far from each other, whose distance is that of contact up to rounding.
+/// Makes couples far from each other; the two spheres of each touch, up to rounding.
 std::vector<Case> near_tangent(std::size_t n) {
   Random random(7);
   Spheres spheres;

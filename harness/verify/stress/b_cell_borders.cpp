@@ -47,7 +47,7 @@ std::vector<Case> around_zero(std::size_t n) {
   return {{.name = "steps of 0.3", .spheres = std::move(spheres), .cell_sides = {1.0, 0.3}}};
 }
 
-/// One to four cells on an axis; and ids that wrap, since two clouds are far apart.
+/// Uses one to four cells on an axis; and ids that wrap, because two clouds are far apart.
 std::vector<Case> few_cells(std::size_t n) {
   Spheres cloud = scene("gas", n, "phi=0.3");
   float widest = 0.0F;
@@ -93,7 +93,8 @@ std::vector<Case> powers_of_two_of_cells(std::size_t n) {
   return cases;
 }
 
-/// 2r is a cell's side, and far out p - r and p + r round apart: a third cell.
+/// 2r is the side of a cell. Far from the origin, p - r and p + r are rounded apart, so a sphere
+/// meets a third cell.
 std::vector<Case> a_third_cell(std::size_t n) {
   std::vector<Case> cases;
   for (const float offset : {3e6F, 1.6e7F, -1e7F}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// C. The range of float32: far offsets, the greatest and the smallest numbers, and none at all.
+// C. The range of float32: far offsets, the largest and the smallest numbers, and invalid ones.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -34,7 +34,7 @@ std::vector<Case> one_at_the_end(std::size_t n) {
   return cases;
 }
 
-/// Reach and distance overflow; not everything overlaps for that.
+/// Radius sums and distances overflow, but that must not make everything overlap.
 std::vector<Case> all_at_the_end(std::size_t n) {
   Random random(16);
   const auto coordinate = [&] { return in(random, kFloatMax / 2.0, kFloatMax); };
@@ -62,7 +62,7 @@ std::vector<Case> subnormal(std::size_t n) {
           {.name = "a lattice of 2^-126", .spheres = scaled(scene("lattice", n), 0x1p-126F)}};
 }
 
-/// Scenes of forty spheres: in larger ones everything overlaps something.
+/// Makes scenes of forty spheres: in larger ones everything overlaps something.
 std::vector<Case> random_bits(std::size_t n) {
   Random random(18);
   std::vector<Case> cases;
@@ -114,7 +114,7 @@ std::vector<Case> landmarks(std::size_t n) {
   return cases;
 }
 
-/// One sphere of a gas is none; the last, the first, and one in between.
+/// One sphere of a gas is not valid: the last, the first, or one in between.
 std::vector<Case> not_spheres(std::size_t n) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// E. Concentration: many spheres in one place, in a row, on a surface, in little of the box.
+// E. Concentration: many spheres in one place, in a row, on a surface, in a small part of the box.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -48,7 +48,7 @@ Spheres plane(std::size_t n) {
   });
 }
 
-/// On the surface of a ball.
+/// Makes points on the surface of a ball.
 Spheres shell(std::size_t n) {
   Random random(28);
   const double radius = std::sqrt(static_cast<double>(n)) * 0.3;
@@ -65,7 +65,7 @@ Spheres shell(std::size_t n) {
   });
 }
 
-/// A circle by rational functions, widening and rising.
+/// Makes a circle by rational functions that widens and rises.
 Spheres spiral(std::size_t n) {
   return repeated(n, [n](std::size_t k) {
     const double turn = static_cast<double>(k % 64) / 32.0 - 1.0;
@@ -95,7 +95,7 @@ std::vector<Case> thin_shapes(std::size_t n) {
   return cases;
 }
 
-/// Close together beside a sphere that makes cells large, and too small to overlap much.
+/// Makes dust close to a sphere that makes cells large; the dust is too small to overlap much.
 std::vector<Case> one_cell(std::size_t n) {
   Random random(30);
   Spheres dust = repeated(n, [&](std::size_t) {

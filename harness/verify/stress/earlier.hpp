@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A finder that has seen something before: frames of the same spheres, or other scenes.
+// Finders that have searched something before: frames of the same spheres, or other scenes.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace octocell::stress {
 
-/// Hands everything on to the finder within.
+/// Passes every call on to another finder.
 class Wrapped : public PairFinder {
  public:
   explicit Wrapped(std::unique_ptr<PairFinder> inner) : inner_(std::move(inner)) {}
@@ -52,7 +52,7 @@ class AfterFrames final : public Wrapped {
   SceneView scene_;
 };
 
-/// Finds the pairs of other scenes, each by a plan of its own, before the scene is uploaded.
+/// Finds the pairs of other scenes, each with its own plan, before the scene is uploaded.
 class AfterScenes final : public Wrapped {
  public:
   AfterScenes(std::unique_ptr<PairFinder> inner, std::span<const Spheres> others,

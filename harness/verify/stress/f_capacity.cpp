@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// F. Capacity: buffers, sizes around powers of two, counts and keys that outgrow 32 bits.
+// F. Capacity: buffers, sizes around powers of two, counts and keys that need more than 32 bits.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -37,7 +37,7 @@ std::vector<Case> sizes(std::size_t n) {
   return cases;
 }
 
-/// n (n - 1) / 2 just beyond 2^31 and 2^32, as far as n spheres reach.
+/// Makes n (n - 1) / 2 just larger than 2^31 and 2^32, as far as n spheres allow.
 std::vector<Case> pair_counts(std::size_t n) {
   std::vector<Case> cases;
   for (const std::size_t size : {std::size_t{1000}, std::size_t{65537}, std::size_t{92683}}) {
@@ -49,7 +49,8 @@ std::vector<Case> pair_counts(std::size_t n) {
   return cases;
 }
 
-/// Boxes of 2^31, 2^32, 2^33 and 2^45 cells, with spheres on both sides of each multiple of 2^32.
+/// Makes boxes of 2^31, 2^32, 2^33 and 2^45 cells, with spheres on both sides of each multiple of
+/// 2^32.
 std::vector<Case> key_bits(std::size_t n) {
   std::vector<Case> cases;
   for (const int bits : {30, 31, 32, 33, 45, 62}) {
@@ -74,7 +75,7 @@ std::vector<Case> key_bits(std::size_t n) {
   return cases;
 }
 
-/// Where others stop: 1024 and 10240 objects, 32766 handles of 16 bits.
+/// The limits of other programs: 1024 and 10240 objects, 32766 handles of 16 bits.
 std::vector<Case> limits_of_others(std::size_t n) {
   std::vector<Case> cases;
   for (const std::size_t size : {1024, 1025, 10240, 10241, 32766, 32767, 65537}) {

@@ -13,7 +13,7 @@
 namespace octocell::stress {
 namespace {
 
-/// A gas in a box that two spheres hold open, so that a plan's box holds for all frames.
+/// Makes a gas between two spheres at opposite corners, so that a plan's box holds for all frames.
 Spheres anchored(std::size_t n, std::uint64_t seed) {
   Random random(seed);
   const double side = cube_root(static_cast<double>(n)) * 1.2;
@@ -27,7 +27,7 @@ Spheres anchored(std::size_t n, std::uint64_t seed) {
   return spheres;
 }
 
-/// The last of `frames` is the scene, the others come before it.
+/// The last of `frames` becomes the scene; the others come before it.
 Case moving_case(std::string name, std::vector<Spheres> frames) {
   Case moving = {.name = std::move(name)};
   moving.spheres = std::move(frames.back());
@@ -40,7 +40,7 @@ std::vector<Case> rest(std::size_t n) {
   const Spheres still = anchored(n, 36);
   Spheres one_moved = still;
   one_moved[n / 2].x = nudged(one_moved[n / 2].x, 1);
-  // Two that touch, and an ulp later do not.
+  // Two spheres that touch, and that are apart after a move of an ulp.
   Spheres touching = scene("lattice", n);
   Spheres apart = touching;
   apart[n / 2].x = nudged(apart[n / 2].x, 1);
@@ -60,7 +60,7 @@ std::vector<Case> teleports(std::size_t n) {
           moving_case("places exchanged", {frames[0], exchanged})};
 }
 
-/// A finder that had other scenes, larger and smaller, harder and easier.
+/// The finder has searched other scenes before: larger and smaller, harder and easier ones.
 std::vector<Case> stale_state(std::size_t n) {
   const Spheres a = scene("gas", n);
   const Spheres b = scene("lattice", 2 * n, "shuffle=1");

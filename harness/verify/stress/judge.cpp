@@ -27,7 +27,7 @@ struct Answer {
   std::vector<Pair> pairs;
 };
 
-/// One implementation, one case, and what is asked: all that the functions below share.
+/// One implementation, one case, and what is required: the data that the functions below share.
 struct Trial {
   const Implementation& how;
   const Case& scene;
@@ -76,7 +76,8 @@ Verdict compared(const Trial& trial, const Answer& answer) {
   return verdict;
 }
 
-/// As the scene is planned; and, where its lattice spares it all uncertain pairs, with them.
+/// Judges the scene as planned. If its lattice lets the plan skip uncertain pairs, judges it again
+/// with them.
 Verdict judge_pairs(const Trial& trial) {
   Verdict verdict = compared(trial, find(trial, trial.how.backend->create, trial.options()));
   if (verdict.status == Status::exact && !trial.how.is_baseline()) {
@@ -94,14 +95,14 @@ Verdict judge_pairs(const Trial& trial) {
     try {
       verdict = compared(trial, find(trial, trial.how.backend->create, options));
     } catch (const LimitError&) {
-      continue;  // more cells than can be counted: asked for, and refused
+      continue;  // more cells than can be counted, so the refusal is right
     }
     if (verdict.status == Status::wrong) verdict.reason += fmt::format(" (cell side {:g})", side);
   }
   return verdict;
 }
 
-/// Libraries have no way to count without storing.
+/// Libraries cannot count without storing.
 Verdict judge_count(const Trial& trial) {
   if (trial.how.is_baseline()) return {.status = Status::skipped, .reason = "stores its pairs"};
   PlanOptions options = trial.options();
@@ -116,7 +117,7 @@ Verdict judge_count(const Trial& trial) {
   return {.pairs = answer.digest.count, .candidates = answer.counts.candidates};
 }
 
-/// Libraries are given their spheres unseen: the driver looks at them for our backends only.
+/// Libraries get their spheres unchecked: the driver checks them only for our backends.
 Verdict judge_refusal(const Trial& trial) {
   if (trial.how.is_baseline())
     return {.status = Status::skipped, .reason = "takes its input unseen"};
@@ -132,7 +133,8 @@ Verdict judge_refusal(const Trial& trial) {
   return wrong("accepted");
 }
 
-/// Room for all pairs, for one less, for none: the size needed each time, nothing clipped.
+/// Gives room for all pairs, for one less, and for none. The required size must be reported each
+/// time, and nothing may be clipped.
 Verdict judge_buffers(const Trial& trial) {
   if (trial.how.is_baseline()) return judge_pairs(trial);
   const std::uint64_t needed = trial.truth.pairs.size();
@@ -170,7 +172,7 @@ Verdict judge_other_scenes(const Trial& trial) {
   return compared(trial, find(trial, create, options));
 }
 
-/// New finders, on every number of threads. A library, of one thread, is asked once.
+/// Uses new finders, for every number of threads. A library, which has one thread, runs once.
 Verdict judge_repetition(const Trial& trial) {
   if (trial.how.is_baseline()) return judge_pairs(trial);
   std::vector<int> threads = {1};
@@ -210,7 +212,7 @@ Verdict judge_as_asked(Ask ask, const Trial& trial) {
   return wrong("nothing was asked");
 }
 
-/// What promises an answer for every valid scene.
+/// Returns true for implementations that promise an answer for every valid scene.
 bool must_answer(const Implementation& how) {
   return !how.is_baseline() && (!how.has_rule() || how.rule == Rule::lowest_cell);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One implementation on one case.
+// Judges one implementation on one case.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace octocell::stress {
 
-/// From best to worst.
+/// Ordered from best to worst.
 enum class Status : std::uint8_t { exact, skipped, refused, late, crashed, wrong };
 inline constexpr std::array<std::string_view, 6> kStatusNames = {"exact", "skipped", "refused",
                                                                  "late",  "crashed", "wrong"};
@@ -30,26 +30,27 @@ struct Verdict {
   std::uint64_t candidates = 0;
 };
 
-/// What every implementation is compared with.
+/// The truth that every implementation is compared with.
 struct Truth {
-  std::vector<Pair> pairs;  // empty where they are only counted
+  std::vector<Pair> pairs;  // empty if pairs are only counted
   std::optional<PairDigest> digest;
 };
 
-/// The oracle's pairs, or those known beforehand. Throws Error if the two differ, or if the
-/// oracle's number is not the formula's: then the judge is wrong.
+/// Returns the reference's pairs, or those known beforehand. Throws Error if the two differ, or if
+/// the reference's number of pairs differs from the formula's: then the judge is wrong.
 Truth truth_of(const Entry& entry, const Case& scene);
 
 struct Limits {
   int threads = 1;
-  std::uint64_t candidates = 0;  // of our own backends
+  std::uint64_t candidates = 0;  // for our own backends
   std::uint64_t library_candidates = 0;
   std::chrono::duration<double> library_time{10};
   int repetitions = 1;
 };
 
-/// Never throws for what the implementation does. Baselines run in processes of their own. A truth
-/// that is only a number gets its checksum from the first answer, which all others must repeat.
+/// Judges an implementation; never throws for what it does. Baselines run in processes of their
+/// own. If the truth is only a number, the first answer sets its checksum, and all others must
+/// repeat that.
 Verdict judge(const Implementation& how, Ask ask, const Case& scene, Truth& truth,
               const Limits& limits);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// M. Metamorphic relations that are exact in floating point: a scene changed so that its pairs are
-// known from those of the first. The oracle decides once, about the first.
+// M. Metamorphic relations that are exact in floating point: a scene is changed so that its pairs
+// follow from those of the original. The reference decides only about the original.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +27,8 @@ Spheres near_tangent(std::size_t n) {
   const auto coordinate = [&] {
     const float place = static_cast<float>(step(random, 6)) * 0.7F;
     const int nudge = step(random, 3);
-    return place == 0.0F ? place : nudged(place, nudge);  // beside zero all are subnormal
+    return place == 0.0F ? place : nudged(place, nudge);  // the neighbours of zero are all
+                                                          // subnormal
   };
   return repeated(n, [&](std::size_t) {
     const float x = coordinate();
@@ -36,8 +37,8 @@ Spheres near_tangent(std::size_t n) {
   });
 }
 
-/// Where a wrong predicate or a wrong cell would show; numbers that 2^40 neither overflows nor
-/// makes subnormal.
+/// Scenes in which a wrong predicate or wrong cells would show. A factor of 2^40 neither overflows
+/// their numbers nor makes them subnormal.
 std::vector<Base> bases(std::size_t n) {
   std::vector<Base> bases = {
       {"near-tangent pairs", near_tangent(n), {}},
@@ -50,7 +51,7 @@ std::vector<Base> bases(std::size_t n) {
   return bases;
 }
 
-/// Each sphere changed by itself; the pairs stay.
+/// Changes each sphere by itself; the pairs stay the same.
 template <typename Change>
 std::vector<Case> changed(std::size_t n, Change change) {
   std::vector<Case> cases;
@@ -61,7 +62,7 @@ std::vector<Case> changed(std::size_t n, Change change) {
   return cases;
 }
 
-/// The sphere old_id[k] at place k; pairs follow.
+/// Puts sphere old_id[k] at place k; the pairs change accordingly.
 Case renumbered(const Base& base, const std::vector<std::uint32_t>& old_id) {
   std::vector<std::uint32_t> new_id(base.spheres.size());
   Case result = {.name = base.name, .pairs = std::vector<Pair>()};
@@ -134,7 +135,7 @@ std::vector<Case> rotated(std::size_t n) {
   return changed(n, [](const Sphere& s) { return Sphere{-s.y, s.x, s.z, s.r}; });
 }
 
-/// A copy has its original's partners, and the original.
+/// A copy has the partners of its original, and the original itself.
 std::vector<Case> duplicated(std::size_t n) {
   std::vector<Case> cases;
   for (Base& base : bases(n)) {
@@ -153,7 +154,8 @@ std::vector<Case> duplicated(std::size_t n) {
   return cases;
 }
 
-/// The spheres of one parity of id: of the pairs of A u B, those within A, or within B.
+/// Takes the spheres whose ids have one parity: of all pairs, only those between such spheres
+/// remain.
 std::vector<Case> split(std::size_t n) {
   std::vector<Case> cases;
   for (const Base& base : bases(n)) {
@@ -172,7 +174,7 @@ std::vector<Case> split(std::size_t n) {
   return cases;
 }
 
-/// Far points of no size change the box, the cells, and no pair.
+/// Adds far points of radius 0: they change the box and the cells, but no pair.
 std::vector<Case> inert(std::size_t n) {
   std::vector<Case> cases;
   for (Base& base : bases(n)) {
@@ -186,7 +188,7 @@ std::vector<Case> inert(std::size_t n) {
   return cases;
 }
 
-/// Neither the cells' side nor the planner's choice is seen in the answer.
+/// Neither the side of the cells nor the planner's choice changes the answer.
 std::vector<Case> other_cells(std::size_t n) {
   std::vector<Case> cases;
   for (const Base& base : bases(n)) {

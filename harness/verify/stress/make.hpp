@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the families make their scenes of. As in harness/scenes, only operations with the same bits
-// on every machine: + - * / sqrt, powers of two, and neighbouring floats.
+// Tools for the families. As in harness/scenes, they use only operations with the same bits on
+// every machine: + - * / sqrt, powers of two, and neighbouring floats.
 #pragma once
 
 #include <algorithm>
@@ -24,12 +24,12 @@ inline float nudged(float value, int ulps) {
   return value;
 }
 
-/// -most .. most.
+/// Returns a number in -most .. most.
 inline int step(Random& random, int most) {
   return static_cast<int>(random.below(static_cast<std::size_t>(2 * most + 1))) - most;
 }
 
-/// Any finite float, each bit pattern equally often.
+/// Returns any finite float; all bit patterns are equally likely.
 inline float any_float(Random& random) {
   for (;;) {
     const auto value = std::bit_cast<float>(static_cast<std::uint32_t>(random.bits() >> 32));
@@ -41,14 +41,14 @@ inline float in(Random& random, double low, double high) {
   return static_cast<float>(low + (high - low) * random.uniform());
 }
 
-/// The side of a cube of at most n places.
+/// Returns the side of a cube of at most n places.
 inline int side_of(std::size_t n) {
   int side = 0;
   while (static_cast<std::size_t>(side + 1) * (side + 1) * (side + 1) <= n) ++side;
   return side;
 }
 
-/// place(i, j, k) for 0 <= i, j, k < side.
+/// Calls place(i, j, k) for 0 <= i, j, k < side.
 template <typename Place>
 Spheres lattice_of(int side, Place place) {
   Spheres spheres;
@@ -68,7 +68,7 @@ Spheres repeated(std::size_t n, Make make) {
   return spheres;
 }
 
-/// A scene of the generators: scene("gas", 1000, "seed=2").
+/// Makes a scene of the generators: scene("gas", 1000, "seed=2").
 inline Spheres scene(std::string_view name, std::size_t n, std::string_view more = {}) {
   std::string spec = std::string(name) + ":n=" + std::to_string(n);
   if (!more.empty()) spec.append(",").append(more);

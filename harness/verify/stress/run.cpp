@@ -34,7 +34,7 @@ void add(Row& row, const Case& scene, const Verdict& verdict) {
   row.reason = verdict.reason;
 }
 
-/// Once too late is enough: the entry's other cases would each take the limit again.
+/// One late case is enough: each of the entry's other cases would take the whole time limit again.
 bool is_late(const Row& row) { return row.with(Status::late) > 0; }
 
 }  // namespace
@@ -61,7 +61,7 @@ std::vector<Row> run_entry(const Entry& entry, Size size, std::span<const Implem
       }
       const auto begin = std::chrono::steady_clock::now();
       const Verdict verdict = judge(row.how, entry.ask, scene, truth, limits);
-      if (stop()) return rows;  // Ctrl-C ends a child, too: that is no crash of its
+      if (stop()) return rows;  // Ctrl-C ends a child, too, but that is not its crash
       row.seconds +=
           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       add(row, scene, verdict);
