@@ -31,7 +31,8 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "reports"))
 
 from octocell_report import tables, words  # noqa: E402
-from octocell_report.load import Result, Row, load  # noqa: E402
+from octocell_report.load import Place, Result, load  # noqa: E402
+from octocell_report.readme_bench import best, plan  # noqa: E402
 
 INK, PALE = "#1f2937", "#d1d5db"
 HOME, PHANTOM, OVERLAP = "#0072b2", "#b9dcf0", "#d55e00"
@@ -155,19 +156,15 @@ def mistake(program: Program, output: Path) -> None:
     plt.close(figure)
 
 
-def fastest(result: Result, family: str | None) -> dict[int, Row]:
-    """By N: the fastest exact cold row of one thread, of a library, or of our planned default."""
-    found: dict[int, Row] = {}
-    for n in sorted({g.n for g in result.groups if g.scene == "gas"}):
-        place = next(g.place for g in result.groups if g.scene == "gas" and g.n == n)
-        rows = [r for r in result.at(place, "cold") if r.counts and r.impl.threads == 1]
-        if family is None:
-            rows = [r for r in rows if r.impl.backend == "impl_cpu" and r.impl.method == "planned"]
-            best = min(rows, key=lambda r: r.median_ms, default=None)
-        else:
-            best = tables.fastest(rows, family)
-        if best is not None:
-            found[n] = best
+def fastest(result: Result, family: str | None) -> dict[int, float]:
+    """By N: ns per sphere of the fastest exact cold row of one thread, of a library or our plan."""
+    found = {}
+    for n in filter(None, result.sizes("gas")):
+        where = {"scene": "gas", "n": n, "run": "cold", "threads": 1, "counts": True}
+        theirs = best(result.frame, **where, kind="baseline", family=family) if family else None
+        row = theirs if family else plan(result, Place("gas", n))
+        if row is not None:
+            found[n] = row.ns_per_sphere
     return found
 
 
@@ -176,9 +173,8 @@ def speed(result: Result, output: Path) -> None:
     families: dict[str | None, str] = {None: "Octocell"}
     families |= {f: f"{words.family_title(f)}'s fastest" for f in tables.families(result)}
     for (family, label), colour in zip(families.items(), (HOME, OVERLAP, "#009e73"), strict=True):
-        rows = fastest(result, family)
-        ns = list(rows)
-        per_sphere = [rows[n].median_ms / n * 1e6 for n in ns]
+        known = fastest(result, family)
+        ns, per_sphere = list(known), list(known.values())
         ax.plot(ns, per_sphere, marker="o", color=colour)
         ax.annotate(label, (ns[-1], per_sphere[-1]), (8, 0), textcoords="offset points",
                     color=colour, va="center", fontweight="bold")  # fmt: skip

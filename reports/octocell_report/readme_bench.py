@@ -1,157 +1,82 @@
 # SPDX-License-Identifier: MIT
-"""The README's tables of a bench: what is right, how fast it is, on which machine."""
+"""Tables of a bench: what is right, how fast it is beside libraries, by kind of scene, by frame.
+
+Ratios are taken within interleaved rounds; where an interval is given, it holds 99 % (spread.py).
+"""
 
 from __future__ import annotations
 
-from statistics import median
+from pathlib import Path
+from statistics import median, mode
+from typing import Any
 
 import pandas as pd
 
-from octocell_report import tables, words
+from octocell_report import spread, tables, words
+from octocell_report.dynamic import REBUILT
 from octocell_report.fields import ReportError
-from octocell_report.load import Impl, Place, Result, Row
-from octocell_report.markdown import table
+from octocell_report.language import listed, tell
+from octocell_report.load import Group, Place, Result
+from octocell_report.markdown import bold, code, table
+from octocell_report.plan import PLANNED
+from octocell_report.words import NONE, family_title, grouped, number
 
-SCENE = "gas"  # the plain scene: the table of speeds is about it alone
-NAMED = "bullet_dbvt"  # the baseline that ratios are also given to by name
+SCENE = "gas"  # the plain scene: the tables of speeds are about it alone
+NAMED = "bullet_dbvt"  # the baseline that speeds are also compared with by name
 RUNS = ("cold", "warm")
+WITHOUT_FLAGS = "_without_flags"  # ends the name of a scene whose flags only say who moves
+
+Row = Any  # a named tuple of the columns of Result.frame
 
 
-def speed(result: Result) -> str:
-    """Ratios first: they carry over to other machines better than times do."""
-    place = tables.compared(result, SCENE, "warm") or result.largest(SCENE)
-    if place is None:
-        raise ReportError(f"block 'speed' needs the scene {SCENE}, which the result does not have")
-    titles = words.titles(result)
-    references = _references(result, place)
-    header = ["implementation", *(f"vs {name}" for name in references)]
-    header += [f"{run} [ms]" for run in RUNS]
-    lines = []
-    for impl in result.impls:
-        rows = {r.run: r for run in RUNS for r in result.at(place, run) if r.impl == impl}
-        if rows:
-            lines.append([titles[impl], *_speeds(rows, references)])
-    named = [_named(name, rows) for name, rows in references.items() if name != NAMED]
-    note = (
-        f"Scene {SCENE}, {words.grouped(place.n)} spheres. Ratios are cold / warm, baseline time "
-        "by the row's time within interleaved rounds, median; above 1 is faster than the baseline. "
-        "Times are this machine's."
-    )
-    return table(pd.DataFrame(lines, columns=header), " ".join([note, *named]))
+def chosen(frame: pd.DataFrame, **fixed: object) -> pd.DataFrame:
+    """Lines with these values, in the order of tables."""
+    for column, value in fixed.items():
+        frame = frame[frame[column] == value]
+    return frame.sort_values("order", kind="stable")
 
 
-def _named(name: str, rows: dict[str, Row]) -> str:
-    """'The fastest FCL is `...`.', once if it is the same in all runs."""
-    met = {run: f"`{row.impl.backend}`" for run, row in rows.items()}
-    if len(set(met.values())) == 1:
-        return f"The {name} is {next(iter(met.values()))}."
-    return f"The {name} is {', '.join(f'{label} ({run})' for run, label in met.items())}."
+def best(frame: pd.DataFrame, **fixed: object) -> Row | None:
+    """The fastest exact line with these values; the first that is wrong if none is exact."""
+    rows = chosen(frame[frame["ran"] & ~frame["negative_control"]], **fixed)
+    ranked = rows.sort_values(["counts", "median_ms"], ascending=[False, True], kind="stable")
+    return next(ranked.itertuples(), None)
 
 
-def _references(result: Result, place: Place) -> dict[str, dict[str, Row]]:
-    """By column: the row that others are held against, by run."""
-    found: dict[str, dict[str, Row]] = {}
-    for run in RUNS:
-        rows = result.at(place, run)
-        for family in tables.families(result):
-            row = tables.fastest(rows, family)
-            if row is not None:
-                found.setdefault(f"fastest {words.family_title(family)}", {})[run] = row
-    for run in RUNS:
-        for row in result.at(place, run):
-            if row.impl.backend == NAMED and row.kind == "baseline" and row.counts:
-                found.setdefault(NAMED, {})[run] = row
-    return found
+def plan(result: Result, place: Place) -> Row | None:
+    """Our fastest plan there on one thread, cold; None without an exact one."""
+    known = {"run": "cold", "method": PLANNED, "threads": 1, "counts": True}
+    return best(result.frame, scene=place.scene, n=place.n, **known)
 
 
-def _speeds(rows: dict[str, Row], references: dict[str, dict[str, Row]]) -> list[str]:
-    """The row's cells after its name; what is not exact gets its verdict and no numbers."""
-    first = next(iter(rows.values()))
-    bad = [row for row in rows.values() if row.status != "skipped" and not row.counts]
-    if bad:
-        return [words.verdict(bad[0]), *[words.NONE] * (len(references) + len(RUNS) - 1)]
-    if all(row.status == "skipped" for row in rows.values()):
-        why = f"skipped: {words.short_reason(first.reason, 60)}"
-        return [why, *[words.NONE] * (len(references) + len(RUNS) - 1)]
-    cells = [
-        " / ".join(_ratio(rows.get(run), of.get(run)) for run in RUNS) for of in references.values()
-    ]
-    return cells + [words.number(rows[run].median_ms if run in rows else None) for run in RUNS]
+def shown(row: Row | None) -> str:
+    """The time; of what is not exact the verdict, since its time would mislead."""
+    if row is None or not row.ran:
+        return NONE if row is None else "skipped"
+    return number(row.median_ms) if row.counts else bold(words.verdict(row))
 
 
-def _ratio(row: Row | None, reference: Row | None) -> str:
-    if row is None or reference is None or not row.counts:
-        return words.NONE
-    rounds = tables.round_ratios(reference, row)
-    return words.ratio(median(rounds)) if rounds else words.NONE
+def faster(row: Row | None, reference: Row | None) -> str:
+    """How many times as fast as the reference: '3.00×'."""
+    rounds = _rounds(reference, row)
+    return words.ratio(median(rounds)) if rounds else NONE
 
 
-def moving(result: Result) -> str:
-    """The same for scenes that move, at the largest size of each: a frame's time, once settled."""
-    ratios = tables.ratios(result, "dynamic")
-    if not ratios:
-        raise ReportError("block 'moving' needs a moving scene, which the result does not have")
-    titles, families = words.titles(result), tables.families(result)
-    largest = {scene: result.largest(scene) for scene in result.scenes}
-    header = ["scene", "spheres", "implementation", "frame [ms]"]
-    header += [f"vs fastest {words.family_title(family)}" for family in families]
-    lines = []
-    for place in dict.fromkeys(r.place for r in ratios if r.place == largest[r.place.scene]):
-        for row in result.at(place, "dynamic"):
-            held = {r.family: r for r in ratios if (r.impl, r.place) == (row.impl, place)}
-            if held:
-                cells = [words.ratio(held[f].median) if f in held else words.NONE for f in families]
-                time = words.number(row.median_ms)
-                size = words.grouped(place.n)
-                lines.append([place.scene, size, titles[row.impl], time, *cells])
-    note = (
-        "Median frame after those that settle a structure. We rebuild each frame unless we can "
-        "prove that nothing relevant moved; a library updates its structure. The ratio is the "
-        "library's fastest frame time by the row's."
-    )
-    return table(pd.DataFrame(lines, columns=header), note)
+def longer(row: Row | None, reference: Row | None) -> str:
+    """How many times as long it takes, with the interval: '1.04 (1.03 to 1.06)'."""
+    rounds = _rounds(row, reference)
+    if not rounds:
+        return NONE
+    middle, low, high = spread.estimate(rounds)[:3]
+    show = number if (low + high) / 2 >= 9.995 else "{:.2f}".format
+    return f"{show(middle)} ({show(low)} to {show(high)})"
 
 
-def correctness(result: Result) -> str:
-    """Implementations that are wrong somewhere, by scene; all others in one line."""
-    titles, cells = words.titles(result), tables.correctness(result)
-    lines: list[list[str]] = []
-    exact: list[str] = []
-    absent: list[str] = []
-    for impl in result.impls:
-        states = {cells[impl, group.place].state for group in result.groups}
-        if states & {"wrong", "negative_control"}:
-            here = [_scene_cell(result, cells, impl, scene) for scene in result.scenes]
-            lines.append([titles[impl], *here])
-        else:
-            (exact if "exact" in states else absent).append(f"`{titles[impl]}`")
-    note = (
-        f"{words.MINUS} pairs missed, + pairs that are none, × pairs given more than once; at the "
-        "largest size that is wrong."
-    )
-    said = [
-        f"Exact wherever they ran, of {len(result.groups)} scenes and sizes: {', '.join(exact)}."
-    ]
-    said += [f"Not run here: {', '.join(absent)}."] if absent else []
-    wrong = [table(pd.DataFrame(lines, columns=["wrong", *result.scenes]), note)] if lines else []
-    return "\n\n".join([" ".join(said), *wrong])
-
-
-def _scene_cell(
-    result: Result, cells: dict[tuple[Impl, Place], tables.Cell], impl: Impl, scene: str
-) -> str:
-    groups = sorted((g for g in result.groups if g.scene == scene), key=lambda g: g.n)
-    here = [(group.n, cells[impl, group.place]) for group in groups]
-    wrong = [(n, cell) for n, cell in here if cell.state in ("wrong", "negative_control")]
-    if wrong:
-        n, cell = wrong[-1]
-        return f"**{cell.text}** at {words.size(n)}"
-    exact = sum(cell.state == "exact" for _, cell in here)
-    if exact == len(here):
-        return "exact"
-    if exact:
-        return f"exact, {exact} of {len(here)} sizes"
-    return {"unavailable": "not there", "skipped": "skipped"}.get(here[-1][1].state, words.NONE)
+def _rounds(above: Row | None, below: Row | None) -> tuple[float, ...]:
+    """Time by time, round by round; none unless both are exact."""
+    if above is None or below is None or not (above.counts and below.counts):
+        return ()
+    return spread.ratios(above.round_ms, below.round_ms)
 
 
 def machine(result: Result) -> str:
@@ -164,7 +89,240 @@ def machine(result: Result) -> str:
         f"{context['compiler']} ({context['build_type']}, `{context['flags']}`)",
         f"commit {context['commit'][:12]}{dirty}",
         context["date"][:10],
+        *([] if context["finished"] else ["run interrupted"]),
     ]
-    if not context["finished"]:
-        parts.append("run interrupted")
-    return "; ".join(parts) + "."
+    return f"{'; '.join(parts)}."
+
+
+def correctness(result: Result) -> str:
+    """Implementations that are wrong somewhere, by scene; all others in one line."""
+    frame, titles = result.frame, list(words.titles(result).values())
+    wrong = set(frame[frame["status"] == "wrong"]["order"])
+    exact = set(frame[frame["status"] == "ok"]["order"]) - wrong
+    told = [code(title) for order, title in enumerate(titles) if order in exact]
+    absent = [code(t) for order, t in enumerate(titles) if order not in exact | wrong]
+    said = [
+        f"Exact wherever they ran, of {len(result.groups)} scenes and sizes: {', '.join(told)}."
+    ]
+    said += [f"Not run here: {', '.join(absent)}."] if absent else []
+    lines = [
+        [titles[order], *(_right(result, order, scene) for scene in result.scenes)]
+        for order in sorted(wrong)
+    ]
+    note = (
+        f"{words.MINUS} pairs missed, + pairs that are none, × pairs given more than once; at the "
+        "largest size that is wrong."
+    )
+    below = [table(pd.DataFrame(lines, columns=["wrong", *result.scenes]), note)] if lines else []
+    return "\n\n".join([" ".join(said), *below])
+
+
+def _right(result: Result, order: int, scene: str) -> str:
+    """What one implementation gets wrong on a scene, or at how many sizes it is exact."""
+    rows = chosen(result.frame, order=order, scene=scene)
+    wrong = rows[rows["status"] == "wrong"]
+    if len(wrong):
+        losses = wrong[["missed", "false", "duplicates"]].sum(axis=1)
+        worst = wrong.assign(losses=losses).sort_values(["n", "losses"]).iloc[-1]
+        return f"{bold(words.losses(worst))} at {words.size(worst['n'])}"
+    exact, sizes = (
+        rows[rows["status"] == "ok"]["n"].nunique(),
+        sum(group.scene == scene for group in result.groups),
+    )
+    if exact:
+        return "exact" if exact == sizes else f"exact, {exact} of {sizes} sizes"
+    return "skipped" if len(rows) else NONE
+
+
+def speed(result: Result) -> str:
+    """Ratios first: they carry over to other machines better than times do."""
+    place = tables.compared(result, SCENE, "warm") or result.largest(SCENE)
+    if place is None:
+        raise ReportError(f"block 'speed' needs the scene {SCENE}, which the result does not have")
+    here = chosen(result.frame, scene=SCENE, n=place.n)
+    here = here[here["run"].isin(RUNS)]
+    references = {
+        f"fastest {family_title(family)}": {
+            run: row
+            for run in RUNS
+            if (row := best(here, run=run, family=family, kind="baseline", counts=True))
+        }
+        for family in tables.families(result)
+    }
+    named = {row.run: row for row in chosen(here, backend=NAMED).itertuples()}
+    columns = {title: rows for title, rows in (*references.items(), (NAMED, named)) if rows}
+    lines = []
+    for label in here["label"].unique():
+        rows = {row.run: row for row in chosen(here, label=label).itertuples()}
+        ratios = [
+            " / ".join(faster(rows.get(run), of.get(run)) for run in RUNS)
+            for of in columns.values()
+        ]
+        lines.append([label, *ratios, *(shown(rows.get(run)) for run in RUNS)])
+    header = ["implementation", *(f"vs {title}" for title in columns)]
+    note = (
+        f"Scene {SCENE}, {grouped(place.n)} spheres. Ratios are cold / warm, baseline time "
+        "by the row's time within interleaved rounds, median; above 1 is faster than the baseline. "
+        "Times are this machine's."
+    )
+    told = [_named(title, rows) for title, rows in references.items() if rows]
+    lines = pd.DataFrame(lines, columns=[*header, *(f"{run} [ms]" for run in RUNS)])
+    return table(lines, " ".join([note, *told]))
+
+
+def _named(title: str, rows: dict[str, Row]) -> str:
+    """'The fastest FCL is `...`.', once if it is the same in all runs."""
+    met = {run: code(row.backend) for run, row in rows.items()}
+    if len(set(met.values())) > 1:
+        met = {run: f"{name} ({run})" for run, name in met.items()}
+    return f"The {title} is {', '.join(dict.fromkeys(met.values()))}."
+
+
+def moving(result: Result) -> str:
+    """Scenes that move, each at its largest size: a frame's time, once settled."""
+    rows, families = chosen(result.frame, run="dynamic", counts=True), tables.families(result)
+    rows = rows[rows["n"] == rows.groupby("scene")["n"].transform("max")]
+    lines = []
+    for scene in (scene for scene in result.scenes if scene in set(rows["scene"])):
+        for _, here in chosen(rows, scene=scene).groupby("motion", sort=False, dropna=False):
+            references = [best(here, family=family, kind="baseline") for family in families]
+            lines += [
+                [row.scene, grouped(row.n), row.label, shown(row)]
+                + [faster(row, reference) for reference in references]
+                for row in chosen(here, kind="backend").itertuples()
+                if any(references)
+            ]
+    if not lines:
+        raise ReportError("block 'moving' needs a moving scene, which the result does not have")
+    note = (
+        "Median frame after those that settle a structure. We rebuild each frame unless we can "
+        "prove that nothing relevant moved; a library updates its structure. The ratio is the "
+        "library's fastest frame time by the row's."
+    )
+    header = ["scene", "spheres", "implementation", "frame [ms]"]
+    header += [f"vs fastest {family_title(family)}" for family in families]
+    return table(pd.DataFrame(lines, columns=header), note)
+
+
+def against(result: Result) -> str:
+    """Every baseline beside our plan, at the first scene, cold."""
+    group = result.groups[0]
+    ours = plan(result, group.place)
+    here = chosen(result.frame, scene=group.scene, n=group.n, run="cold", kind="baseline", ran=True)
+    if ours is None or here.empty:
+        raise ReportError("block 'against' needs cold rows of a plan and of a baseline")
+    lines = [[row.label, shown(row), longer(row, ours)] for row in here.itertuples()]
+    lines.insert(0, [ours.label, shown(ours), NONE])
+    note = (
+        f"{_title(group)}, {grouped(group.n)} spheres, cold, 1 thread, median of {ours.rounds} "
+        "interleaved rounds. Times as long: its time by that of the first row, median of the "
+        "rounds, in brackets their 99 % interval."
+    )
+    header = ["implementation", "time [ms]", "times as long"]
+    return table(pd.DataFrame(lines, columns=header), note)
+
+
+def front(result: Result, language: str = "en") -> str:
+    """The README's number: how many times as fast as each library our plan is."""
+    place = result.groups[0].place
+    ours = plan(result, place)
+    if ours is None:
+        raise ReportError("block 'front_libraries' needs an exact cold row of a plan")
+    here, parts = chosen(result.frame, scene=place.scene, n=place.n, run="cold"), []
+    for family in tables.families(result):
+        rounds = _rounds(best(here, family=family, kind="baseline"), ours)
+        if rounds:
+            known = {"times": f"{median(rounds):.0f}", "family": family_title(family)}
+            parts.append(tell(language, "front_library", **known))
+    return tell(
+        language,
+        "front_libraries",
+        libraries=listed(parts, language),
+        n=grouped(place.n),
+        ms=shown(ours),
+        machine=result.context["machine"]["cpu"],
+        commit=result.context["commit"][:8],
+    )
+
+
+def kinds(result: Result, run: str) -> str:
+    """Every scene beside the first, at the size that most scenes have."""
+    rows = chosen(result.frame, run=run, method=PLANNED, ran=True, threads=1)
+    rows = rows[rows["predicate"].isna()]
+    known = {(row.scene, row.n, row.backend): row for row in rows.itertuples()}
+    met = {key[:2] for key in known}
+    groups = [group for group in result.groups if group.place in met]
+    size = mode(group.n for group in groups) if groups else 0
+    first = next((group for group in groups if group.n == size), None)
+    if first is None or len(groups) < 2:
+        raise ReportError(f"block 'kinds_{run}' needs {run} rows of a plan on two scenes")
+    backends = [name for name in rows["backend"].unique()
+                if 2 * sum(name == key[2] for key in known) > len(groups)]  # fmt: skip
+    reference = words.place(first.place)
+    lines = []
+    for group in groups:
+        cells = [_title(group), grouped(group.n), grouped(group.truth_pairs or 0)]
+        for backend in backends:
+            row, of = (_per_output(known.get((*g.place, backend)), g) for g in (group, first))
+            cells += [shown(row), "1" if group is first else longer(row, of)]
+        lines.append(cells)
+    note = (
+        f"{run.capitalize()}, the planned default, hosts with one thread; median of the rounds. "
+        f"Of {reference}: time per sphere and true pair by the time per sphere and true pair "
+        "there, median over the rounds, in brackets their 99 % interval."
+    )
+    header = ["scene", "spheres", "pairs"]
+    header += [title for name in backends for title in (f"{name} [ms]", f"of {reference}")]
+    return table(pd.DataFrame(lines, columns=header), note)
+
+
+def _per_output(row: Row | None, group: Group) -> Row | None:
+    """With the rounds' times per sphere and true pair."""
+    output = group.n + (group.truth_pairs or 0)
+    return row and row._replace(round_ms=tuple(ms / output for ms in row.round_ms))
+
+
+def _title(group: Group) -> str:
+    """'poly:n=1000,seed=1,ratio=1000000' -> 'poly, ratio 1 000 000'; of a file its name."""
+    name, colon, parameters = group.spec.partition(":")
+    if not colon:
+        return Path(name).stem
+    pairs = [text.partition("=")[::2] for text in parameters.split(",")]
+    told = [
+        f"{key} {grouped(int(value)) if value.isdigit() else value}"
+        for key, value in pairs
+        if key not in ("n", "seed")
+    ]
+    return ", ".join([name, *told])
+
+
+def _moving_rows(frame: pd.DataFrame) -> dict[tuple[str, str, int], Row]:
+    rows = chosen(frame, run="dynamic", counts=True)
+    return {(row.label, row.scene, row.n): row for row in rows.itertuples()}
+
+
+def frames(result: Result) -> str:
+    """A frame that may take over from the last, by the same frame searched again."""
+    again = result.variants_frame.query("skips == @REBUILT")
+    rows, variants = map(_moving_rows, (result.frame, again))
+    told = {key: row for key, row in rows.items() if key in variants}
+    if not told:
+        raise ReportError(f"block 'frames' needs moving scenes with the variant '{REBUILT}'")
+    lines = []
+    for key, row in told.items():
+        silent = rows.get((row.label, row.scene + WITHOUT_FLAGS, row.n))
+        times = [shown(row), longer(row, variants[key]), longer(row, silent)]
+        lines.append([row.scene, row.backend, *times])
+    first = next(iter(told.values()))
+    of_frames = result.motion_frames.query("row == @first.Index")
+    count = f"{len(of_frames)} frames, the first {of_frames['warmup'].sum()} left out"
+    note = (
+        f"{grouped(first.n)} spheres, {count}; a round's time is its median frame. Ratios are "
+        "medians over the rounds, in brackets their 99 % interval. Of searching again: the same "
+        "rows, interleaved, with no frame taking over from the last. Of the same without flags: "
+        "the same spheres move, but nothing says that the others stand; measured one after the "
+        "other."
+    )
+    header = ["scene", "implementation", "frame [ms]", "of searching again"]
+    header += ["of the same without flags"]
+    return table(pd.DataFrame(lines, columns=header), note)

@@ -3,34 +3,19 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
-from typing import Any, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import pandas as pd
+from msgspec import Struct
 
-from octocell_report.context import gpu_of
-from octocell_report.fields import (
-    Fields,
-    Json,
-    ReportError,
-    is_bool,
-    is_filled,
-    is_list,
-    is_object,
-    is_text,
-    is_times,
-    is_whole,
-    one_of,
-    or_null,
-)
+from octocell_report.fields import Json, Name, Number, ReportError, Text, Whole, choice, convert
 from octocell_report.files import read_json
+from octocell_report.schema import STATUSES, Context
 
 SCHEMA, KIND = 2, "sort"
-STATUSES = ("ok", "wrong", "skipped")
-DEVICES = ("cpu", "gpu")
 ORDERS = ("random", "sorted", "reversed", "constant", "few_distinct")
 
 TITLES = {
@@ -55,24 +40,39 @@ class Sort(NamedTuple):
     threads: int
 
 
-@dataclass(frozen=True)
-class SortRow:
-    name: str
-    sort: Sort
-    device: str
-    n: int
-    bits: int
-    order: str
+class SortRow(Struct):
+    name: Name
+    algorithm: Name
+    threads: Whole
+    device: Annotated[str, choice("cpu", "gpu")]
+    n: Whole
+    bits: Whole
+    order: Text
     stable: bool
     packed: bool
-    status: str
-    reason: str | None
-    total_ms: tuple[float, ...]  # one per round; none unless the status is ok
+    status: Annotated[str, choice(*STATUSES)]
+    reason: Text | None
+    total_ms: tuple[Number, ...]  # one per round; none unless the status is ok
+
+    def __post_init__(self) -> None:
+        if (self.status == "ok") != bool(self.total_ms) or 0 in self.total_ms:
+            raise ValueError(f"says {self.status}, but 'total_ms' is {list(self.total_ms)}")
+        if self.status != "ok" and self.reason is None:
+            raise ValueError(f"says {self.status}, but 'reason' is null")
+
+    @property
+    def sort(self) -> Sort:
+        return Sort(self.algorithm, self.threads)
 
     @property
     def rates(self) -> tuple[float, ...]:
         """10^9 pairs a second, one per round."""
         return tuple(self.n / (ms * 1e6) for ms in self.total_ms)
+
+
+class Document(Struct):
+    context: Context
+    rows: list[SortRow]
 
 
 @dataclass(frozen=True)
@@ -94,8 +94,8 @@ class SortResult:
 
     def timed(self, **fixed: Any) -> list[SortRow]:
         """Rows with a time whose fields are these, ascending by size."""
-        rows = [r for r in self.rows if r.status == "ok"]
-        rows = [r for r in rows if all(getattr(r, key) == want for key, want in fixed.items())]
+        fixed["status"] = "ok"
+        rows = [r for r in self.rows if all(getattr(r, key) == v for key, v in fixed.items())]
         return sorted(rows, key=lambda r: r.n)
 
 
@@ -106,61 +106,29 @@ def load(path: Path) -> SortResult:
 
 def parse(document: Any) -> SortResult:
     """The same for a document already decoded."""
-    result = Fields(document, "result")
-    if document.get("kind") != KIND or document.get("schema") != SCHEMA:
+    known = (document.get("kind"), document.get("schema")) if isinstance(document, dict) else None
+    if known != (KIND, SCHEMA):
         raise ReportError(
             f"not a result of bench-sort: kind '{KIND}', schema {SCHEMA} is read here"
         )
-    context = Fields(result.take("context", is_object), "context")
-    for key in ("date", "commit", "compiler", "preset"):
-        context.take(key, is_text)
-    for key in ("dirty", "finished"):
-        context.take(key, is_bool)
-    machine = Fields(context.take("machine", is_object), "context.machine")
-    machine.take("cpu", is_text)
-    machine.take("cores", is_whole)
-    rows = [_row(item, i) for i, item in enumerate(result.take("rows", is_list))]
-    gpu_of(context.value)
-    for name, times in Counter(row.name for row in rows).items():
-        if times > 1:
-            raise ReportError(f"{times} rows are called {name}")
-    return SortResult(context.value, rows)
+    rows = convert(document, Document).rows
+    names: set[str] = set()
+    for row in rows:
+        if row.name in names:
+            raise ReportError(f"two rows are called {row.name}")
+        names.add(row.name)
+    return SortResult(document["context"], rows)
 
 
-def _row(item: Any, index: int) -> SortRow:
-    fields = Fields(item, f"row {index}")
-    name = fields.take("name", is_filled)
-    fields.title = f"row {index} ({name})"
-    status = fields.take("status", one_of(*STATUSES))
-    times = tuple(fields.take("total_ms", is_times))
-    if status == "ok" and (not times or min(times) <= 0.0):
-        raise ReportError(f"{fields.title}: says ok, but has a round without a time, or no round")
-    if status != "ok" and times:
-        raise ReportError(f"{fields.title}: says {status}, but has a time")
-    return SortRow(
-        name=name,
-        sort=Sort(fields.take("algorithm", is_filled), fields.take("threads", is_whole)),
-        device=fields.take("device", one_of(*DEVICES)),
-        n=fields.take("n", is_whole),
-        bits=fields.take("bits", is_whole),
-        order=fields.take("order", is_text),
-        stable=fields.take("stable", is_bool),
-        packed=fields.take("packed", is_bool),
-        status=status,
-        reason=fields.take("reason", or_null(is_text) if status == "ok" else is_text),
-        total_ms=times,
-    )
+_COLUMNS = ("algorithm", "device", "threads", "n", "bits", "order", "stable", "packed", "status")
 
 
 def frame(result: SortResult) -> pd.DataFrame:
     """Every row: plain numbers, nothing rounded; no time where the status is not ok."""
     return pd.DataFrame(
         {
-            **{"algorithm": row.sort.algorithm, "device": row.device},
-            **{"threads": row.sort.threads},
-            **{"n": row.n, "bits": row.bits, "order": row.order},
-            **{"stable": row.stable, "packed": row.packed},
-            **{"status": row.status, "reason": row.reason, "rounds": len(row.total_ms)},
+            **{column: getattr(row, column) for column in (*_COLUMNS, "reason")},
+            "rounds": len(row.total_ms),
             "median_ms": median(row.total_ms) if row.total_ms else None,
             "min_ms": min(row.total_ms, default=None),
             "max_ms": max(row.total_ms, default=None),

@@ -6,6 +6,8 @@ from __future__ import annotations
 import math
 import textwrap
 
+import pandas as pd
+
 from octocell_report.load import Impl, Place, Result, Row
 
 THIN = "\u202f"  # narrow space between groups of digits; no line breaks there
@@ -42,7 +44,7 @@ def number(value: float | None) -> str:
 
 def count(value: int | None) -> str:
     """A count that must stay short: exact below 10 000, else three digits and a unit."""
-    if value is None:
+    if value is None or pd.isna(value):
         return "?"
     if value < 10_000:
         return str(value)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from octocell_report import readme_front, readme_guarantee, verification, words
+from octocell_report import readme_bench, readme_gpu, readme_guarantee, verification, words
 from octocell_report.fields import ReportError
 from octocell_report.load import parse
 
@@ -26,26 +26,26 @@ def headline():
 
 
 def test_a_library_is_held_against_our_plan_by_its_fastest(headline):
-    said = readme_front.libraries(parse(headline))
+    said = readme_bench.front(parse(headline))
     n = words.grouped(1000)
     assert said == (
         "**4 times** as fast as FCL's fastest broad phase, **15 times** as fast as Bullet's "
         f"fastest broad phase: {n} spheres, from nothing, in 2.00 ms on one thread of "
         "Example CPU 9000 (commit 01234567)"
     )
-    chinese = readme_front.libraries(parse(headline), "zh")
+    chinese = readme_bench.front(parse(headline), "zh")
     assert all(word in chinese for word in ("**4 倍**", "**15 倍**", "2.00", "01234567"))
 
 
 def test_there_must_be_a_plan(headline):
     headline["rows"] = headline["rows"][1:]
     with pytest.raises(ReportError, match="front_libraries"):
-        readme_front.libraries(parse(headline))
+        readme_bench.front(parse(headline))
 
 
 def test_a_device_must_have_a_million_spheres(headline):
     with pytest.raises(ReportError, match="front_gpu"):
-        readme_front.gpu(parse(headline))
+        readme_gpu.front(parse(headline))
 
 
 def test_wrong_answers_are_counted_by_owner(tmp_path):

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from octocell_report import readme_kinds
+from octocell_report import readme_bench
 from octocell_report.fields import ReportError
 from octocell_report.load import parse
 
@@ -43,11 +43,11 @@ def test_libraries_are_held_against_the_plan_round_by_round():
         wrong(row("fcl_sap", **LIBRARY, run="cold"), missed=7),
         skipped(row("fcl_naive", **LIBRARY, run="cold"), "too slow"),
     ]
-    block = readme_kinds.against(parse(document([group("gas", 1000)], rows)))
+    block = readme_bench.against(parse(document([group("gas", 1000)], rows)))
     assert cells(block)[2:] == [
         ["impl_cpu planned", "2.00", "–"],
         ["bullet_dbvt", "110", "50.0 (40.0 to 55.0)"],
-        ["fcl_sap", "wrong −7 +0", "–"],
+        ["fcl_sap", "**wrong −7 +0**", "–"],
     ]
     assert "median of 3 interleaved rounds" in note(block)
 
@@ -69,17 +69,17 @@ def test_scenes_cost_by_sphere_and_true_pair_beside_the_first():
         planned(ms=(0.5, 0.5, 0.5), threads=2, name="two threads"),
         row("impl_thrust", **OURS, run="cold"),  # on one scene alone: no column
     ]
-    block = readme_kinds.kinds_cold(parse(document(groups, rows)))
+    block = readme_bench.kinds(parse(document(groups, rows)), "cold")
     assert cells(block)[0] == ["scene", "spheres", "pairs", "impl_cpu [ms]", "of gas 1k"]
     assert cells(block)[2:] == [
         ["gas", "10", "20", "2.00", "100 (100 to 100)"],
         ["gas", "1\u202f000", "2\u202f000", "2.00", "1"],
         ["poly, phi 0.1, ratio 1\u202f000\u202f000", *cells(block)[4][1:4], "2.00 (2.00 to 2.20)"],
         ["far", "1\u202f000", "0", "1.00", "1.50 (1.00 to 3.00)"],
-        ["bad", "1\u202f000", "2\u202f000", "wrong −3 +0", "–"],
+        ["bad", "1\u202f000", "2\u202f000", "**wrong −3 +0**", "–"],
     ]
     with pytest.raises(ReportError, match="'kinds_warm' needs warm rows"):
-        readme_kinds.kinds_warm(parse(document(groups, rows)))
+        readme_bench.kinds(parse(document(groups, rows)), "warm")
 
 
 def test_frames_are_held_against_searches_and_against_silent_flags():
@@ -97,16 +97,16 @@ def test_frames_are_held_against_searches_and_against_silent_flags():
         moving("gas_still_without_flags", slow, skips="rebuilt", name="again, without flags"),
         moving("alone", times),  # nothing to hold it against
     ]
-    block = readme_kinds.frames(parse(document(groups, rows)))
+    block = readme_bench.frames(parse(document(groups, rows)))
     assert cells(block)[2:] == [
         ["gas_still", "impl_cpu", "2.00", "0.25 (0.25 to 0.25)", "0.50 (0.50 to 0.50)"],
         ["gas_still_without_flags", "impl_cpu", "4.00", "0.50 (0.50 to 0.50)", "–"],
     ]
     assert "4 frames, the first 1 left out" in note(block)
     with pytest.raises(ReportError, match="the variant 'rebuilt'"):
-        readme_kinds.frames(parse(document(groups, rows[-1:])))
+        readme_bench.frames(parse(document(groups, rows[-1:])))
 
 
 def test_a_plan_alone_is_held_against_nothing():
     with pytest.raises(ReportError, match="of a baseline"):
-        readme_kinds.against(parse(document([group("gas", 1000)], [planned()])))
+        readme_bench.against(parse(document([group("gas", 1000)], [planned()])))

@@ -7,7 +7,7 @@ import json
 
 import pytest
 
-from octocell_report import readme_sorts, sort
+from octocell_report import readme_gpu, sort
 from octocell_report.cli import main
 from octocell_report.fields import ReportError
 
@@ -62,7 +62,7 @@ def lines_of(block):
 
 
 def test_sorts_stand_beside_their_ratio_to_cub():
-    block = readme_sorts.sorts(sort.parse(test_sort.gpu_cases()))
+    block = readme_gpu.sorts(sort.parse(test_sort.gpu_cases()))
     lines = lines_of(block)
     assert lines[0] == ["sort", "key bits", "2^20", "2^24"]
     assert ["4 onesweep", "20", "4.77 (1.10×)", "4.77 (1.10×)"] in lines
@@ -77,8 +77,8 @@ def test_sorts_that_are_wrong_or_missing_have_no_rate():
         test_sort.gpu_row("cuda_onesweep", n=1 << 20, bits=20, **bad),
         test_sort.gpu_row("cub", n=1 << 16, bits=20, total_ms=[1.0]),
     ]
-    lines = lines_of(readme_sorts.sorts(sort.parse(test_sort.document(*rows))))
+    lines = lines_of(readme_gpu.sorts(sort.parse(test_sort.document(*rows))))
     assert lines[2] == ["4 onesweep", "20", "–", "**wrong**"]
     assert lines[3] == ["CUB", "20", "0.0655", "–"]
     with pytest.raises(ReportError, match="'gpu_sorts' needs rows of a GPU"):
-        readme_sorts.sorts(sort.parse(test_sort.document(test_sort.row())))
+        readme_gpu.sorts(sort.parse(test_sort.document(test_sort.row())))

@@ -144,12 +144,15 @@ def test_nothing_timed_is_a_table_alone(tmp_path: Path):
 BROKEN = {
     "a bench result": ({"kind": "bench"}, "not a result of bench-sort"),
     "another schema": ({"schema": 3}, "schema 2 is read here"),
-    "no rows": ({"rows": None}, "'rows'"),
-    "a row twice": ({"rows": [row(), row()]}, "2 rows are called sort/"),
+    "no rows": ({"rows": None}, "rows is null"),
+    "a row twice": ({"rows": [row(), row()]}, "two rows are called sort/"),
     "ok without a time": ({"rows": [row(total_ms=[])]}, "says ok"),
-    "wrong with a time": ({"rows": [row() | {"status": "wrong"}]}, "says wrong, but has a time"),
+    "wrong with a time": (
+        {"rows": [row() | {"status": "wrong"}]},
+        "says wrong, but 'total_ms' is [1.0, 4.0, 2.0]",
+    ),
     "skipped without a reason": ({"rows": [row(status="skipped")]}, "'reason'"),
-    "an unknown device": ({"rows": [row(device="tpu")]}, "'device'"),
+    "an unknown device": ({"rows": [row(device="tpu")]}, ".device (sort/algorithm:"),
     "no bits": ({"rows": [{k: v for k, v in row().items() if k != "bits"}]}, "'bits'"),
 }
 
