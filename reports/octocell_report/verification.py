@@ -7,13 +7,12 @@ It lies in the folder, or in one below it that is named after the machine.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from functools import partial
 from pathlib import Path
-from typing import Annotated, Any, TypeAlias
+from typing import Annotated, Any, TypeAlias, TypeVar
 
 import pandas as pd
-from msgspec import Meta, Struct, to_builtins
+from msgspec import Meta, Struct, defstruct, to_builtins
 
 from octocell_report.fields import Name, Number, ReportError, Text, choice, convert
 from octocell_report.files import read_json
@@ -33,6 +32,8 @@ COLUMNS = {
 Verification: TypeAlias = dict[str, pd.DataFrame]  # by kind; of an absent one without a line
 
 Count = Annotated[int, Meta(ge=0, le=2**53)]  # so that sums fit into 64 bits
+_Item = TypeVar("_Item")
+Some = Annotated[list[_Item], Meta(min_length=1)]
 
 
 class Context(Struct):
@@ -42,16 +43,7 @@ class Context(Struct):
 
     def __post_init__(self) -> None:
         if not self.finished:
-            raise ValueError("The run was interrupted; only whole runs count")
-
-
-class File(Struct):
-    context: Context
-
-    def lines(self) -> Iterable[dict[str, Any]]:
-        """Those of the frame; here the items of the one list that the file holds."""
-        (items,) = (value for value in to_builtins(self).values() if isinstance(value, list))
-        return items
+            raise ValueError("the run was interrupted; only whole runs count")
 
 
 class Family(Struct):
@@ -63,15 +55,7 @@ class Family(Struct):
 
     def __post_init__(self) -> None:
         if self.mismatches > self.pairs:
-            raise ValueError("More mismatches than pairs")
-
-
-class NearTangent(File):
-    where: Annotated[str, choice(*SIDES)]
-    families: Annotated[list[Family], Meta(min_length=1)]
-
-    def lines(self) -> Iterable[dict[str, Any]]:
-        return ({"where": self.where, **line} for line in super().lines())
+            raise ValueError("more mismatches than pairs")
 
 
 class Entry(Struct):
@@ -81,17 +65,6 @@ class Entry(Struct):
     asks: Text
 
 
-class Cases(Struct):
-    """How many ended in which way."""
-
-    exact: Count
-    skipped: Count
-    refused: Count
-    late: Count
-    crashed: Count
-    wrong: Count
-
-
 class StressRow(Struct):
     """One entry by one implementation."""
 
@@ -99,32 +72,14 @@ class StressRow(Struct):
     implementation: Name
     backend: Name
     kind: Annotated[str, choice("backend", "baseline")]
-    cases: Cases
+    cases: dict[str, Count]  # how many ended in which way
     missed: Count
     false: Count
     duplicates: Count
 
-
-class Stress(File):
-    entries: list[Entry]
-    rows: Annotated[list[StressRow], Meta(min_length=1)]
-
-    def lines(self) -> Iterable[dict[str, Any]]:
-        asks = {entry.id: entry.asks for entry in self.entries}
-        for row in self.rows:
-            if row.entry not in asks:
-                raise ReportError(f"no entry has the id '{row.entry}'")
-            yield to_builtins(row) | to_builtins(row.cases) | {"asks": asks[row.entry]}
-
-
-class Compilers(File):
-    configurations: Annotated[list[Name], Meta(min_length=1)]
-    checksums: Count  # that each of them printed
-    failures: list[Text]
-    refused: list[Name]  # compilers with flags that must not compile
-
-    def lines(self) -> Iterable[dict[str, Any]]:
-        return [to_builtins(self)]
+    def __post_init__(self) -> None:
+        if set(self.cases) != set(ENDINGS):
+            raise ValueError(f"'cases' must count {', '.join(ENDINGS)}")
 
 
 class Target(Struct):
@@ -136,26 +91,18 @@ class Target(Struct):
     crashes: Count
 
 
-class Fuzz(File):
-    targets: Annotated[list[Target], Meta(min_length=1)]
-
-
 class Fault(Struct):
     """One planted in the sources."""
 
     name: Name
     what: Text
     status: Annotated[str, choice("killed", "survived", "not_run")]
-    killed_by: Text | None
+    killed_by: Name | None
     reason: Text | None = None
 
     def __post_init__(self) -> None:
-        if self.status == "killed" and not (self.killed_by or "").strip():
-            raise ValueError("Killed, but 'killed_by' does not say by what")
-
-
-class Mutants(File):
-    faults: Annotated[list[Fault], Meta(min_length=1)]
+        if self.status == "killed" and self.killed_by is None:
+            raise ValueError("says killed, but 'killed_by' is null")
 
 
 class Tool(Struct):
@@ -166,17 +113,18 @@ class Tool(Struct):
     reports: Count
 
 
-class Sanitizers(File):
-    tools: Annotated[list[Tool], Meta(min_length=1)]
-
-
-_FILES: dict[str, type[File]] = {
-    "near_tangent": NearTangent,
-    "stress": Stress,
-    "compilers": Compilers,
-    "fuzz": Fuzz,
-    "mutants": Mutants,
-    "sanitizers": Sanitizers,
+# What a file of each kind holds, beside its context; its list of items gives the frame's lines.
+_FIELDS: dict[str, dict[str, Any]] = {
+    "near_tangent": {"where": Annotated[str, choice(*SIDES)], "families": Some[Family]},
+    "stress": {"entries": list[Entry], "rows": Some[StressRow]},
+    # Compilers with flags; checksums that each of them printed; what must not compile.
+    "compilers": {
+        **{"configurations": Some[Name], "checksums": Count},
+        **{"failures": list[Text], "refused": list[Name]},
+    },
+    "fuzz": {"targets": Some[Target]},
+    "mutants": {"faults": Some[Fault]},
+    "sanitizers": {"tools": Some[Tool]},
 }
 
 
@@ -184,7 +132,7 @@ def read(folder: Path) -> Verification:
     """Everything found there. Throws ReportError on a bad file."""
     if not folder.is_dir():
         raise ReportError(f"{folder}: is not a folder of results")
-    return {kind: _frame(folder, kind) for kind in _FILES}
+    return {kind: _frame(folder, kind) for kind in COLUMNS}
 
 
 def _frame(folder: Path, kind: str) -> pd.DataFrame:
@@ -197,7 +145,15 @@ def _frame(folder: Path, kind: str) -> pd.DataFrame:
 def _lines(path: Path, kind: str, document: Any) -> list[dict[str, Any]]:
     if isinstance(document, dict) and document.get("kind", kind) != kind:
         raise ReportError(f"its kind is '{document['kind']}', and its name says '{kind}'")
-    file = convert(document, _FILES[kind])
-    machine, context = path.parent.name, file.context
-    source = f"`{machine}/{path.name}` ({context.commit[:12]}, {context.date[:10]})"
-    return [line | {"machine": machine, "source": source} for line in file.lines()]
+    fields = [("context", Context), *_FIELDS[kind].items()]
+    file = to_builtins(convert(document, defstruct(kind, fields)))
+    machine, context = path.parent.name, file["context"]
+    source = f"`{machine}/{path.name}` ({context['commit'][:12]}, {context['date'][:10]})"
+    asks = {entry["id"]: {"asks": entry["asks"]} for entry in file.get("entries", ())}
+    lines = []
+    for item in [{}] if kind == "compilers" else file[fields[-1][0]]:
+        if kind == "stress" and item["entry"] not in asks:
+            raise ReportError(f"no entry has the id '{item['entry']}'")
+        known = item | item.get("cases", {}) | asks.get(item.get("entry"), {})
+        lines.append(file | known | {"machine": machine, "source": source})
+    return lines
