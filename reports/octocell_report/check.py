@@ -89,6 +89,9 @@ def summary(verdict: Verdict) -> str:
     return " ".join(parts)
 
 
-def complaint(row: Row) -> str:
-    """One line on one wrong row."""
-    return f"wrong: {row.name}: {row.pairs} pairs, {words.losses(row)}"
+def complaints(verdict: Verdict) -> list[str]:
+    """One line on each wrong row."""
+    return [
+        f"wrong: {row.name}: {row.pairs} pairs, {words.losses(row)}"
+        for row in [*verdict.wrong, *verdict.wrong_variants]
+    ]

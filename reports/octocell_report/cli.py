@@ -1,13 +1,18 @@
 # SPDX-License-Identifier: MIT
-"""The command line. Exit code 0: well; 1: looked at and found wanting; 2: could not look."""
+"""The command line. Exit code 0: well; 1: looked at and found wanting; 2: could not look.
+
+A function here is a command of its name, and its docstring is the command's help. Modules that
+draw are imported where they are used: Matplotlib is slow to load.
+"""
 
 from __future__ import annotations
 
 import argparse
 import math
-from collections.abc import Sequence
+from argparse import Namespace
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from octocell_report import __version__
 from octocell_report.console import Parser, run, say
@@ -17,84 +22,26 @@ from octocell_report.load import Result, load
 if TYPE_CHECKING:
     from octocell_report.error import Study
 
+Work = Callable[[Namespace], int]
+
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    return run("octocell-report", lambda: _command(arguments))
+    return run("octocell-report", lambda: _main(arguments))
 
 
-def _command(arguments: Sequence[str] | None) -> int:
-    options = _parser().parse_args(arguments)
-    code: int = options.command(options)
-    return code
-
-
-def _parser() -> Parser:
-    parser = Parser(
-        prog="octocell-report", description="Checks, plots and pages from octocell bench's JSON."
-    )
+def _main(arguments: Sequence[str] | None) -> int:
+    about = "Checks, plots and pages from octocell bench's JSON."
+    parser = Parser(prog="octocell-report", description=about)
     parser.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
-
-    build = commands.add_parser("build", help="write plots, tables and a page")
-    build.add_argument("result", type=Path, metavar="RESULT.json")
-    build.add_argument("-o", "--output", type=Path, default=Path("reports/out"), metavar="FOLDER")
-    build.add_argument(
-        "--ablation",
-        type=Path,
-        metavar="ABLATION.json",
-        help="result of the preset ablation (default: FOLDER/ablation.json, if it is there)",
-    )
-    build.add_argument(
-        "--error",
-        type=Path,
-        nargs="+",
-        default=[],
-        metavar="ERROR.json",
-        help="results with several predicates (default: FOLDER/error*.json, if there are any)",
-    )
-    build.set_defaults(command=_build)
-
-    check = commands.add_parser(
-        "check", help="exit 1 if a row is wrong that is no negative control"
-    )
-    check.add_argument("result", type=Path, metavar="RESULT.json")
-    check.set_defaults(command=_check)
-
-    compare = commands.add_parser("compare", help="which rows became faster or slower")
-    compare.add_argument("old", type=Path, metavar="OLD.json")
-    compare.add_argument("new", type=Path, metavar="NEW.json")
-    compare.add_argument(
-        "--threshold",
-        type=_share,
-        default=0.05,
-        metavar="SHARE",
-        help="changes up to this share are none (default 0.05)",
-    )
-    compare.add_argument("--fail-on-slower", action="store_true", help="exit 1 if a row is slower")
-    compare.set_defaults(command=_compare)
-
-    readme = commands.add_parser("readme", help="write the text between octocell markers")
-    readme.add_argument("pages", type=Path, nargs="+", metavar="FILE.md")
-    readme.add_argument("--check", action="store_true", help="write nothing; exit 1 if one differs")
-    readme.set_defaults(command=_readme)
-
-    sort = commands.add_parser("sort", help="plots and a table from octocell bench-sort's JSON")
-    sort.add_argument("result", type=Path, metavar="SORT.json")
-    sort.add_argument("-o", "--output", type=Path, default=Path("reports/out"), metavar="FOLDER")
-    sort.set_defaults(command=_sort)
-
-    ablation = commands.add_parser("ablation", help="plots and tables from the preset ablation")
-    ablation.add_argument("result", type=Path, metavar="ABLATION.json")
-    ablation.add_argument(
-        "-o", "--output", type=Path, default=Path("reports/out"), metavar="FOLDER"
-    )
-    ablation.set_defaults(command=_ablation)
-
-    error = commands.add_parser("error", help="plots and tables of run time against error")
-    error.add_argument("results", type=Path, nargs="+", metavar="ERROR.json")
-    error.add_argument("-o", "--output", type=Path, default=Path("reports/out"), metavar="FOLDER")
-    error.set_defaults(command=_error)
-    return parser
+    for work, options in _COMMANDS.items():
+        command = commands.add_parser(work.__name__, help=work.__doc__)
+        command.set_defaults(work=work)
+        for option in options:
+            command.add_argument(*option.split(), **_OPTIONS[option])
+    given = parser.parse_args(arguments)
+    code: int = given.work(given)
+    return code
 
 
 def _share(text: str) -> float:
@@ -107,52 +54,57 @@ def _share(text: str) -> float:
     return value
 
 
-def _build(options: argparse.Namespace) -> int:
-    from octocell_report import page  # Matplotlib is slow to load; only plots need it
+def _file(metavar: str, **more: Any) -> dict[str, Any]:
+    return {"type": Path, "metavar": metavar, **more}
 
-    result = load(options.result)
-    ablation_path, error_paths = _ablation_path(options), _error_paths(options)
-    ablation = _loaded_ablation(ablation_path) if ablation_path else None
+
+_ABLATION = "result of the preset ablation (default: FOLDER/ablation.json, if it is there)"
+_ERROR = "results with several predicates (default: FOLDER/error*.json, if there are any)"
+_THRESHOLD = "changes up to this share are none (default 0.05)"
+_OPTIONS: dict[str, dict[str, Any]] = {
+    "result": _file("RESULT.json"),
+    "results": _file("ERROR.json", nargs="+"),
+    "old": _file("OLD.json"),
+    "new": _file("NEW.json"),
+    "pages": _file("FILE.md", nargs="+"),
+    "-o --output": _file("FOLDER", default=Path("reports/out")),
+    "--ablation": _file("ABLATION.json", help=_ABLATION),
+    "--error": _file("ERROR.json", nargs="+", help=_ERROR),
+    "--threshold": {"type": _share, "default": 0.05, "metavar": "SHARE", "help": _THRESHOLD},
+    "--fail-on-slower": {"action": "store_true", "help": "exit 1 if a row is slower"},
+    "--check": {"action": "store_true", "help": "write nothing; exit 1 if one differs"},
+}
+_COMMANDS: dict[Work, tuple[str, ...]] = {}
+
+
+def _command(*options: str) -> Callable[[Work], Work]:
+    def register(work: Work) -> Work:
+        _COMMANDS[work] = options
+        return work
+
+    return register
+
+
+@_command("result", "-o --output", "--ablation", "--error")
+def build(given: Namespace) -> int:
+    """write plots, tables and a page"""
+    from octocell_report import page
+
+    result, lying = load(given.result), given.output / "ablation.json"
+    ablation = given.ablation or (lying if lying.is_file() else None)
+    errors = given.error or sorted(given.output.glob("error*.json"))
     names = page.build(
         result,
-        options.output,
-        ablation or (result if result.variants else None),
-        _loaded_error(error_paths) if error_paths else _own_error(result),
-        inputs=[options.result, *([ablation_path] if ablation_path else []), *error_paths],
+        given.output,
+        _ablation(ablation) if ablation else result if result.variants else None,
+        _study(errors) if errors else _own_study(result),
+        inputs=[given.result, *([ablation] if ablation else []), *errors],
     )
-    say(f"{options.output / 'index.html'}: written, with {len(names) - 1} plots and tables beside")
+    say(f"{given.output / 'index.html'}: written, with {len(names) - 1} plots and tables beside")
     return 0
 
 
-def _ablation_path(options: argparse.Namespace) -> Path | None:
-    """The one that was named, or else lies in the folder; None without."""
-    path: Path = options.ablation or options.output / "ablation.json"
-    return path if options.ablation or path.is_file() else None
-
-
-def _error_paths(options: argparse.Namespace) -> list[Path]:
-    """Those that were named, or else lie in the folder."""
-    return options.error or sorted(options.output.glob("error*.json"))
-
-
-def _own_error(result: Result) -> Study | None:
-    """The result, if it is one."""
-    from octocell_report.error import Study
-
-    study = Study([result])
-    return study if study.compares else None
-
-
-def _loaded_error(paths: list[Path]) -> Study:
-    from octocell_report.error import Study, require
-
-    study = Study(load(path) for path in paths)
-    with naming(", ".join(map(str, paths))):
-        require(study)
-    return study
-
-
-def _loaded_ablation(path: Path) -> Result:
+def _ablation(path: Path) -> Result:
     from octocell_report.ablation import require
 
     result = load(path)
@@ -161,62 +113,86 @@ def _loaded_ablation(path: Path) -> Result:
     return result
 
 
-def _check(options: argparse.Namespace) -> int:
-    from octocell_report.check import complaint, judge, summary
+def _study(paths: list[Path]) -> Study:
+    from octocell_report.error import Study, require
 
-    verdict = judge(load(options.result))
-    for row in [*verdict.wrong, *verdict.wrong_variants]:
-        say(complaint(row))
-    say(summary(verdict))
+    study = Study(map(load, paths))
+    with naming(", ".join(map(str, paths))):
+        require(study)
+    return study
+
+
+def _own_study(result: Result) -> Study | None:
+    """The result, if it is one."""
+    from octocell_report.error import Study
+
+    study = Study([result])
+    return study if study.compares else None
+
+
+@_command("result")
+def check(given: Namespace) -> int:
+    """exit 1 if a row is wrong that is no negative control"""
+    from octocell_report.check import complaints, judge, summary
+
+    verdict = judge(load(given.result))
+    say(*complaints(verdict), summary(verdict))
     return 0 if verdict.passes else 1
 
 
-def _compare(options: argparse.Namespace) -> int:
+@_command("old", "new", "--threshold", "--fail-on-slower")
+def compare(given: Namespace) -> int:
+    """which rows became faster or slower"""
     from octocell_report.compare import report
 
-    lines, slower = report(load(options.old), load(options.new), options.threshold)
+    lines, slower = report(load(given.old), load(given.new), given.threshold)
     say(*lines)
-    return 1 if slower and options.fail_on_slower else 0
+    return 1 if slower and given.fail_on_slower else 0
 
 
-def _readme(options: argparse.Namespace) -> int:
+@_command("pages", "--check")
+def readme(given: Namespace) -> int:
+    """write the text between octocell markers"""
     from octocell_report.readme import rewrite
 
     every = []
-    for path in options.pages:
-        differing = rewrite(path, check_only=options.check)
-        verb = "differs" if options.check else "rewritten"
+    for path in given.pages:
+        differing = rewrite(path, check_only=given.check)
+        verb = "differs" if given.check else "rewritten"
         say(f"{path}: {verb}: {', '.join(differing)}" if differing else f"{path}: up to date")
         every += differing
-    return 1 if every and options.check else 0
+    return 1 if every and given.check else 0
 
 
-def _sort(options: argparse.Namespace) -> int:
-    from octocell_report import sort, sort_figures  # as for _build
+@_command("result", "-o --output")
+def sort(given: Namespace) -> int:
+    """plots and a table from octocell bench-sort's JSON"""
+    from octocell_report import sort, sort_figures
 
-    names = sort_figures.build(sort.load(options.result), options.output, [options.result])
-    say(f"{options.output}: written: {', '.join(names)}")
+    names = sort_figures.build(sort.load(given.result), given.output, [given.result])
+    say(f"{given.output}: written: {', '.join(names)}")
     return 0
 
 
-def _ablation(options: argparse.Namespace) -> int:
-    from octocell_report import ablation_files, check  # as for _build
+@_command("result", "-o --output")
+def ablation(given: Namespace) -> int:
+    """plots and tables from the preset ablation"""
+    from octocell_report import ablation_files, check
 
-    result = _loaded_ablation(options.result)
-    names = ablation_files.build(result, options.output, [options.result])
-    verdict = check.judge(result)
-    for row in [*verdict.wrong, *verdict.wrong_variants]:
-        say(check.complaint(row))
-    say(f"{options.output}: written: {', '.join(names)}")
+    result = _ablation(given.result)
+    names = ablation_files.build(result, given.output, [given.result])
+    say(*check.complaints(check.judge(result)))
+    say(f"{given.output}: written: {', '.join(names)}")
     return 0
 
 
-def _error(options: argparse.Namespace) -> int:
-    from octocell_report import error_files, findings_error  # as for _build
+@_command("results", "-o --output")
+def error(given: Namespace) -> int:
+    """plots and tables of run time against error"""
+    from octocell_report import error_files, findings_error
 
-    study = _loaded_error(options.results)
-    names = error_files.build(study, options.output, options.results)
-    for line in findings_error.sentences(study, "error_map"):
-        say(line)
-    say(f"{options.output}: written: {', '.join(names)}")
+    study = _study(given.results)
+    names = error_files.build(study, given.output, given.results)
+    say(*findings_error.sentences(study, "error_map"))
+    say(f"{given.output}: written: {', '.join(names)}")
     return 0

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Fields of a JSON object, taken with a check: an error says whose field, which, and why."""
+"""A decoded JSON document as a type: an error says where, what is there, and the rule."""
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Annotated, Any, TypeVar
 
@@ -14,8 +14,6 @@ from msgspec import Meta
 
 Json = dict[str, Any]
 
-_BELOW = 2**63  # whole numbers: pairs, bytes
-_MOST = 1e100  # other numbers: times, depths in units of a radius
 _LONGEST = 10_000  # characters of a text
 _THIN = "\u202f"  # a space, but to Python it is none that can be printed
 
@@ -47,8 +45,8 @@ def shown(value: Any) -> str:
 
 
 # Types of fields, for msgspec structs.
-Whole = Annotated[int, Meta(ge=0, le=_BELOW - 1)]  # pairs, bytes
-Number = Annotated[float, Meta(ge=0, lt=_MOST)]  # times, depths in units of a radius
+Whole = Annotated[int, Meta(ge=0, le=2**63 - 1)]  # pairs, bytes
+Number = Annotated[float, Meta(ge=0, lt=1e100)]  # times, depths in units of a radius
 Text = Annotated[str, Meta(max_length=_LONGEST)]
 Name = Annotated[str, Meta(max_length=_LONGEST, pattern=r"\S")]  # not empty
 
@@ -82,89 +80,3 @@ def _place(path: str, document: Any) -> str:
     place = f"{path} ({name})" if name else path
     known = "" if isinstance(value, dict | list) else f" is {shown(value)}"
     return f"{place}{known}: " if place else ""
-
-
-# What a value may be: a word for the message, and the test.
-Check = tuple[str, Callable[[Any], bool]]
-
-
-def number(value: Any) -> bool:
-    is_number = isinstance(value, int | float) and not isinstance(value, bool)
-    return is_number and 0 <= value < _MOST
-
-
-def whole(value: Any) -> bool:
-    return isinstance(value, int) and not isinstance(value, bool) and 0 <= value < _BELOW
-
-
-def text(value: Any) -> bool:
-    return isinstance(value, str) and len(value) <= _LONGEST
-
-
-def numbers(value: Any) -> bool:
-    return isinstance(value, list) and all(number(v) for v in value)
-
-
-def one_of(*words: str) -> Check:
-    return "one of " + ", ".join(words), lambda v: isinstance(v, str) and v in words
-
-
-def or_null(check: Check) -> Check:
-    return f"{check[0]} or null", lambda v: v is None or check[1](v)
-
-
-is_object: Check = ("an object", lambda v: isinstance(v, dict))
-is_list: Check = ("a list", lambda v: isinstance(v, list))
-is_text: Check = (f"text of at most {_LONGEST} characters", text)
-is_filled: Check = ("text, not empty", lambda v: text(v) and v.strip() != "")
-is_texts: Check = (
-    "a list of texts",
-    lambda v: isinstance(v, list) and all(text(t) for t in v),
-)
-is_filled_texts: Check = (
-    "a list of texts, none empty",
-    lambda v: isinstance(v, list) and all(text(t) and t.strip() for t in v),
-)
-is_bool: Check = ("true or false", lambda v: isinstance(v, bool))
-is_whole: Check = ("a whole number, 0 or more, below 2^63", whole)
-is_number: Check = (f"a number, 0 or more, below {_MOST:g}", number)
-is_positive: Check = ("a number above 0", lambda v: number(v) and v > 0)
-is_times: Check = ("a list of times, 0 or more", numbers)
-is_stages: Check = (
-    "an object of lists of times",
-    lambda v: isinstance(v, dict) and all(numbers(t) for t in v.values()),
-)
-is_bytes: Check = (
-    "an object of whole numbers, 0 or more",
-    lambda v: isinstance(v, dict) and all(whole(b) for b in v.values()),
-)
-is_frames: Check = (
-    "a list of rounds, each a list of times",
-    lambda v: isinstance(v, list) and bool(v) and all(numbers(t) for t in v),
-)
-is_names: Check = (
-    "an object of names",
-    lambda v: isinstance(v, dict) and all(text(t) for t in v.values()),
-)
-
-
-class Fields:
-    """One JSON object and how to call it when a field of it is not as it should be."""
-
-    def __init__(self, value: Any, title: str) -> None:
-        if not isinstance(value, dict):
-            raise ReportError(f"{title}: is not an object")
-        self.value: Json = value
-        self.title = title
-
-    def take(self, key: str, check: Check) -> Any:
-        if key not in self.value:
-            raise ReportError(f"{self.title}: lacks the field '{key}'")
-        found = self.value[key]
-        if not check[1](found):
-            raise ReportError(f"{self.title}: field '{key}' is {shown(found)}, not {check[0]}")
-        return found
-
-    def optional(self, key: str, check: Check) -> Any:
-        """None where the object has no such field."""
-        return self.take(key, check) if key in self.value else None
