@@ -16,9 +16,7 @@ class Verdict:
     wrong: list[Row]  # default rows that ran and are not
     excused: list[Row]  # wrong by a known issue of their library; reported, not counted
     skipped: int
-    negative_controls: (
-        int  # rows kept because their rule is wrong; right or wrong, they do not count
-    )
+    negative_controls: int  # rows kept because their rule is wrong; they do not count
     unavailable: list[str]  # real scenes that could not be fetched
     finished: bool
     variants: int  # planned rows with skips forbidden that ran: asked to be exact, not default
@@ -41,9 +39,7 @@ def judge(result: Result) -> Verdict:
         wrong=[row for row in default if row.status == "wrong" and not row.excused],
         excused=[row for row in default if row.excused],
         skipped=sum(row.status == "skipped" for row in result.rows),
-        negative_controls=sum(
-            row.negative_control and row.status != "skipped" for row in result.rows
-        ),
+        negative_controls=sum(r.negative_control and r.status != "skipped" for r in result.rows),
         unavailable=[g.scene for g in result.groups if g.unavailable is not None],
         finished=bool(result.context["finished"]),
         variants=sum(row.status != "skipped" for row in result.variants),
@@ -54,22 +50,14 @@ def judge(result: Result) -> Verdict:
 def headline(verdict: Verdict, language: str = "en") -> str:
     """A sentence, or two where variants are wrong. A 'default' row ran, and is neither a variant
     nor a negative control."""
-    text = _of_default_rows(verdict, language)
-    if not verdict.wrong_variants:
-        return text
-    key = "headline_variants_one" if len(verdict.wrong_variants) == 1 else "headline_variants"
-    counts = {"wrong": len(verdict.wrong_variants), "variants": verdict.variants}
-    return text + tell(language, "space") + tell(language, key, **counts)
-
-
-def _of_default_rows(verdict: Verdict, language: str) -> str:
-    counts = {"wrong": len(verdict.wrong), "checked": verdict.checked}
-    if verdict.checked == 0:
-        return tell(language, "headline_none")
-    if verdict.wrong:
-        key = "headline_wrong_one" if len(verdict.wrong) == 1 else "headline_wrong"
-        return tell(language, key, **counts)
-    return tell(language, "headline_only" if verdict.checked == 1 else "headline_all", **counts)
+    wrong, checked = len(verdict.wrong), verdict.checked
+    key = "wrong_one" if wrong == 1 else "wrong" if wrong else "only" if checked == 1 else "all"
+    text = tell(language, f"headline_{key if checked else 'none'}", wrong=wrong, checked=checked)
+    if wrong := len(verdict.wrong_variants):
+        key = "headline_variants_one" if wrong == 1 else "headline_variants"
+        more = tell(language, key, wrong=wrong, variants=verdict.variants)
+        text += tell(language, "space") + more
+    return text
 
 
 def summary(verdict: Verdict) -> str:

@@ -5,48 +5,30 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from statistics import median
 
 import numpy as np
 import pandas as pd
 
-from octocell_report import bandwidth, dynamic, tables, words
+from octocell_report import bandwidth, tables, words
 from octocell_report.load import DEVICE_RUNS, RUNS, Result
 from octocell_report.spread import Estimate
+
+_TIMES = [
+    *("scene", "n", "implementation", "method", "rule", "threads", "run", "motion", "status"),
+    *("negative_control", "missed", "false", "duplicates", "median_ms", "min_ms", "max_ms"),
+    *("rounds", "plan_ms", "ns_per_sphere", "candidates_per_pair", "uncertain_pairs"),
+    *("bytes_per_sphere_beyond", "device_bytes"),
+]
 
 
 def times_frame(result: Result) -> pd.DataFrame:
     """Every row that ran; a time stands next to its status."""
-    labels = words.labels(result)
-    return pd.DataFrame(
-        {
-            "scene": row.place.scene,
-            "n": row.place.n,
-            "implementation": labels[row.impl],
-            "method": row.impl.method,
-            "rule": row.impl.rule,
-            "threads": row.impl.threads,
-            "run": row.run,
-            "motion": row.motion.scene if row.motion else None,
-            "status": row.status,
-            "negative_control": row.negative_control,
-            "missed": row.missed,
-            "false": row.false,
-            "duplicates": row.duplicates,
-            "median_ms": row.median_ms,
-            "min_ms": min(row.round_ms),
-            "max_ms": max(row.round_ms),
-            "rounds": len(row.round_ms),
-            "plan_ms": row.plan_ms,
-            "ns_per_sphere": tables.ns_per_sphere(row),
-            "candidates_per_pair": tables.candidates_per_pair(result, row),
-            "uncertain_pairs": row.uncertain_pairs,
-            "bytes_per_sphere_beyond": tables.beyond_bytes(row),
-            "device_bytes": row.device_bytes,
-        }
-        for row in result.rows
-        if row.status != "skipped"
-    )
+    return _rows(result)[result.frame["ran"]][_TIMES]
+
+
+def _rows(result: Result) -> pd.DataFrame:
+    names = {"label": "implementation", "beyond_bytes": "bytes_per_sphere_beyond"}
+    return result.frame.rename(columns=names)
 
 
 def slopes_frame(result: Result) -> pd.DataFrame:
@@ -90,21 +72,9 @@ def ratios_frame(result: Result) -> pd.DataFrame:
 
 def stages_frame(result: Result) -> pd.DataFrame:
     """Long form; a fused stage names the stage that holds its time and has none of its own."""
-    labels = words.labels(result)
-    found = []
-    for row in result.rows:
-        head = {
-            "scene": row.place.scene,
-            "n": row.place.n,
-            "implementation": labels[row.impl],
-            "run": row.run,
-            "status": row.status,
-        }
-        for stage, ms in row.stage_ms.items():
-            found.append(head | {"stage": stage, "median_ms": median(ms), "fused_into": None})
-        for stage, host in row.fused.items():
-            found.append(head | {"stage": stage, "median_ms": None, "fused_into": host})
-    return pd.DataFrame(found)
+    columns = ["scene", "n", "implementation", "run", "status"]
+    found = result.stages.join(_rows(result)[columns], on="row")
+    return found[[*columns, "stage", "median_ms", "fused_into"]]
 
 
 def bandwidth_frame(result: Result) -> pd.DataFrame:
@@ -131,25 +101,12 @@ def bandwidth_frame(result: Result) -> pd.DataFrame:
 
 def motion_frame(result: Result) -> pd.DataFrame:
     """Long form, one line per frame: over the rounds."""
-    labels = words.labels(result)
-    return pd.DataFrame(
-        {
-            "scene": course.place.scene,
-            "n": course.place.n,
-            "motion": course.motion,
-            "implementation": labels[row.impl],
-            "status": row.status,
-            "frame": index,
-            "warmup": index < row.motion.warmup,
-            "median_ms": median(times),
-            "min_ms": min(times),
-            "max_ms": max(times),
-        }
-        for course, rows in dynamic.courses(result).items()
-        for row in rows
-        if row.motion
-        for index, times in enumerate(zip(*row.motion.frame_ms, strict=True))
-    )
+    columns = ["scene", "n", "motion", "implementation", "status"]
+    rows = _rows(result)
+    courses = rows.groupby(["scene", "n", "motion"], sort=False).ngroup().rename("course")
+    found = result.motion_frames.join(rows[[*columns, "order"]].join(courses), on="row")
+    found = found.sort_values(["course", "order", "row", "frame"])
+    return found[[*columns, "frame", "warmup", "median_ms", "min_ms", "max_ms"]]
 
 
 def correctness_frame(result: Result) -> pd.DataFrame:
@@ -165,18 +122,8 @@ def correctness_frame(result: Result) -> pd.DataFrame:
 
 
 def skipped_frame(result: Result) -> pd.DataFrame:
-    labels = words.labels(result)
-    return pd.DataFrame(
-        {
-            "scene": row.place.scene,
-            "n": row.place.n,
-            "implementation": labels[row.impl],
-            "run": row.run,
-            "reason": row.reason,
-        }
-        for row in result.rows
-        if row.status == "skipped"
-    )
+    rows = _rows(result)[~result.frame["ran"]]
+    return rows[["scene", "n", "implementation", "run", "reason"]]
 
 
 def unavailable_frame(result: Result) -> pd.DataFrame:
