@@ -50,14 +50,17 @@ def judge(result: Result) -> Verdict:
 def headline(verdict: Verdict, language: str = "en") -> str:
     """A sentence, or two where variants are wrong. A 'default' row ran, and is neither a variant
     nor a negative control."""
-    wrong, checked = len(verdict.wrong), verdict.checked
-    key = "wrong_one" if wrong == 1 else "wrong" if wrong else "only" if checked == 1 else "all"
-    text = tell(language, f"headline_{key if checked else 'none'}", wrong=wrong, checked=checked)
-    if wrong := len(verdict.wrong_variants):
-        key = "headline_variants_one" if wrong == 1 else "headline_variants"
-        more = tell(language, key, wrong=wrong, variants=verdict.variants)
-        text += tell(language, "space") + more
-    return text
+    wrong, checked, astray = len(verdict.wrong), verdict.checked, len(verdict.wrong_variants)
+    if wrong:
+        key = "headline_wrong_one" if wrong == 1 else "headline_wrong"
+    else:
+        key = ("headline_none", "headline_only")[checked] if checked < 2 else "headline_all"
+    text = tell(language, key, wrong=wrong, checked=checked)
+    if not astray:
+        return text
+    key = "headline_variants_one" if astray == 1 else "headline_variants"
+    more = tell(language, key, wrong=astray, variants=verdict.variants)
+    return text + tell(language, "space") + more
 
 
 def summary(verdict: Verdict) -> str:

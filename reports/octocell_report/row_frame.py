@@ -53,11 +53,15 @@ from octocell_report.schema import Impl, Row
 if TYPE_CHECKING:
     from octocell_report.load import Result
 
-_WHOLE = (
-    *("pairs", "missed", "false", "duplicates", "candidates", "uncertain_pairs", "truth_pairs"),
-    *("distinct_checksums", "peak_bytes", "device_bytes", "output_bytes"),
-)
-_REAL = ("plan_ms", "worst_missed_depth", "worst_false_gap", "median_ms", "min_ms", "max_ms")
+_TYPES = {
+    **dict.fromkeys(("n", "threads", "order", "rounds"), "int64"),
+    **dict.fromkeys(("negative_control", "ran", "counts", "excused", "real"), "bool"),
+    **dict.fromkeys(("pairs", "missed", "false", "duplicates", "candidates"), "Int64"),
+    **dict.fromkeys(("uncertain_pairs", "truth_pairs", "distinct_checksums"), "Int64"),
+    **dict.fromkeys(("peak_bytes", "device_bytes", "output_bytes"), "Int64"),
+    **dict.fromkeys(("plan_ms", "median_ms", "min_ms", "max_ms"), "float64"),
+    **dict.fromkeys(("worst_missed_depth", "worst_false_gap"), "float64"),
+}
 _DERIVED = (
     *("label", "order", "side", "family", "ran", "counts", "excused", "round_ms", "rounds"),
     *("median_ms", "min_ms", "max_ms", "truth_pairs", "truth_checksum", "scene_class", "real"),
@@ -110,9 +114,7 @@ def rows_frame(result: Result, rows: Iterable[Row]) -> pd.DataFrame:
         }
 
     columns = [*Row.__struct_fields__, *_DERIVED]
-    frame = pd.DataFrame(map(line, rows), columns=columns, dtype=object)
-    types = dict.fromkeys(_WHOLE, "Int64") | dict.fromkeys(_REAL, "float64")
-    frame = frame.astype(types).infer_objects()
+    frame = pd.DataFrame(map(line, rows), columns=columns, dtype=object).astype(_TYPES)
     n = frame["n"].where(frame["n"] > 0).astype("float64")
     truth = frame["truth_pairs"].where(frame["truth_pairs"] > 0).astype("float64")
     beyond = (frame["peak_bytes"] - frame["output_bytes"].fillna(0)).astype("float64") / n

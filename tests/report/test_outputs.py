@@ -18,7 +18,6 @@ from octocell_report.fields import ReportError
 
 import synthetic_ablation
 import synthetic_error
-import synthetic_guarantee
 from test_sort import gpu_cases
 
 XYZ = "1\nc\nC 0 0 0\n"
@@ -159,11 +158,11 @@ def test_permissions_stay(tmp_path, save):
     (tmp_path / "a.xyz").write_text(XYZ)
     marked = tmp_path / "P.md"
     for file, mode in (("a.npy", 0o600), ("regret.csv", 0o640), ("P.md", 0o606)):
-        (tmp_path / file).write_text("<!-- octocell:guarantee -->\n<!-- /octocell:guarantee -->\n")
+        (tmp_path / file).write_text("")
         (tmp_path / file).chmod(mode)
     assert importer.main([str(tmp_path / "a.xyz")]) == 0
     assert cli.main(["ablation", str(path), "-o", str(tmp_path)]) == 0
-    assert cli.main(["guarantee", str(synthetic_guarantee.save_all(tmp_path)), str(marked)]) == 0
+    files.write_text(marked, "new")
     modes = [mode_of(tmp_path / name) for name in ("a.npy", "regret.csv", "P.md")]
     assert modes == [0o600, 0o640, 0o606]
     assert mode_of(tmp_path / "ablation.csv") == 0o666 & ~mask()
