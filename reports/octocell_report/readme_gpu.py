@@ -8,11 +8,9 @@ from statistics import median
 import pandas as pd
 
 from octocell_report import bandwidth, words
-from octocell_report.bandwidth import Rate
 from octocell_report.fields import ReportError
 from octocell_report.language import tell
-from octocell_report.load import Place, Result
-from octocell_report.load import Row as BenchRow
+from octocell_report.load import Result
 from octocell_report.markdown import bold, code, table
 from octocell_report.readme_bench import SCENE, Row, best, chosen, faster, shown
 from octocell_report.sort import TITLES, SortResult, SortRow
@@ -71,17 +69,17 @@ def front(result: Result, language: str = "en") -> str:
 
 def stages(result: Result) -> str:
     """Time, share and bandwidth of each stage, at two sizes side by side."""
-    rows = _staged(result)
-    if not rows:
+    known = bandwidth.frame(result)
+    known = chosen(known, scene=SCENE, backend=OURS, run="warm", best=True)
+    sizes = sorted(known[known["gbps"].notna()]["n"].unique())
+    sizes = [*STAGE_SIZES] if set(STAGE_SIZES) <= set(sizes) else sizes[-2:]
+    if not sizes:
         raise ReportError(f"block 'gpu_stages' needs stages with bytes of {OURS} on {SCENE}")
-    names = [*dict.fromkeys(stage for row in rows for stage in row.stage_ms), bandwidth.ALL]
-    columns = ["ms", "share", "GB/s", *(["of copy"] if result.gpu else [])]
-    header = [title for row in rows for title in (f"{words.size(row.n)}: ms", *columns[1:])]
-    lines = [[cell for row in rows for cell in _stage(result, row, name)] for name in names]
-    titles = [name if name == bandwidth.ALL else code(name) for name in names]
-    told = pd.DataFrame(lines, columns=header)
-    told.insert(0, "stage", titles)
-    variants = dict.fromkeys(code(result.labels[row.impl]) for row in rows)
+    here = {n: known[known["n"] == n].set_index("stage") for n in sizes}
+    names = dict.fromkeys([*(stage for n in sizes for stage in here[n].index[:-1]), bandwidth.ALL])
+    lines = pd.concat([_stages(result, n, here[n]).reindex(names) for n in sizes], axis=1)
+    lines.insert(0, "stage", [name if name == bandwidth.ALL else code(name) for name in names])
+    labels = dict.fromkeys(code(here[n]["label"].iloc[0]) for n in sizes)
     copied = (
         f"; of copy: by the {grouped(result.gpu.copy_gbps)} GB/s that a copy on this "
         f"{result.gpu.name} reads and writes"
@@ -89,42 +87,35 @@ def stages(result: Result) -> str:
         else ""
     )
     note = [
-        f"{', '.join(variants)}, scene {SCENE}, warm, runs with stage marks, median of the rounds. "
+        f"{', '.join(labels)}, scene {SCENE}, warm, runs with stage marks, median of the rounds. "
         f"GB/s: the least bytes that the stage must read and write, by its time{copied}."
     ]
-    if any(rate.tiny for row in rows for rate in bandwidth.rates(result, row)):
+    if any(here[n]["tiny"].any() for n in sizes):
         limit = f"{bandwidth.LAUNCH_US:g}"
         note.append(f"In brackets: so few bytes that copying them takes less than {limit} µs.")
-    note += [f"{code(stage)} is inside {code(host)}." for stage, host in rows[-1].fused.items()]
-    return table(told, " ".join(note))
+    fused = result.stages[result.stages["row"] == here[sizes[-1]]["row"].iloc[0]]
+    fused = fused.dropna(subset="fused_into")
+    note += [f"{code(row.stage)} is inside {code(row.fused_into)}." for row in fused.itertuples()]
+    return table(lines, " ".join(note))
 
 
-def _staged(result: Result) -> list[BenchRow]:
-    """The fastest at each of the two sizes, or at the two largest that there are."""
-    every = [row for n in result.sizes(SCENE) for row in bandwidth.best(result, Place(SCENE, n))]
-    found = {row.n: row for row in every if row.backend == OURS}
-    sizes = STAGE_SIZES if set(STAGE_SIZES) <= set(found) else list(found)[-2:]
-    return [found[n] for n in sizes]
+def _stages(result: Result, n: int, rows: pd.DataFrame) -> pd.DataFrame:
+    """The columns of one size."""
+    shown = {
+        f"{words.size(n)}: ms": rows["ms"].map(number),
+        "share": (rows["ms"] / rows["ms"][bandwidth.ALL]).map(_percent),
+        "GB/s": rows["gbps"].map(number),
+    }
+    if result.gpu:
+        shown["of copy"] = rows["share"].map(_percent)
+    found = pd.DataFrame(shown)
+    rates = found.columns[2:]
+    found[rates] = found[rates].mask(rows["tiny"], "(" + found[rates] + ")")
+    return found
 
 
-def _stage(result: Result, row: BenchRow, stage: str) -> list[str]:
-    """A stage's cells at one size."""
-    times = {name: median(ms) for name, ms in row.stage_ms.items()}
-    times[bandwidth.ALL] = sum(times.values())
-    rates = {rate.stage: rate for rate in bandwidth.rates(result, row)}
-    whole, time = times[bandwidth.ALL], times.get(stage)
-    rate = bandwidth.whole(result, row) if stage == bandwidth.ALL else rates.get(stage)
-    return [number(time), _percent(time / whole if time else None), *_rate(result, rate)]
-
-
-def _rate(result: Result, rate: Rate | None) -> list[str]:
-    cells = [number(rate.gbps if rate else None)]
-    cells += [_percent(rate.share if rate else None)] if result.gpu else []
-    return [f"({cell})" for cell in cells] if rate and rate.tiny else cells
-
-
-def _percent(share: float | None) -> str:
-    return NONE if share is None else f"{words.percent(100 * share)} %"
+def _percent(share: float) -> str:
+    return f"{words.percent(100 * share)} %" if pd.notna(share) else NONE
 
 
 def sorts(result: SortResult) -> str:
