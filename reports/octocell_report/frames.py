@@ -5,12 +5,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
+from statistics import median
 
 import numpy as np
 import pandas as pd
 
 from octocell_report import bandwidth, tables, words
-from octocell_report.load import DEVICE_RUNS, RUNS, Result
+from octocell_report.load import DEVICE_RUNS, Result
 from octocell_report.spread import Estimate
 
 _TIMES = [
@@ -49,25 +50,16 @@ def slopes_frame(result: Result) -> pd.DataFrame:
 
 
 def ratios_frame(result: Result) -> pd.DataFrame:
-    labels = words.labels(result)
-    return pd.DataFrame(
-        {
-            "scene": ratio.place.scene,
-            "n": ratio.place.n,
-            "run": ratio.run,
-            "own_run": ratio.own_run,
-            "motion": ratio.motion,
-            "implementation": labels[ratio.impl],
-            "against": ratio.family,
-            "reference": labels[ratio.reference],
-            "times_as_fast_median": ratio.median,
-            "min": min(ratio.rounds),
-            "max": max(ratio.rounds),
-            "rounds": len(ratio.rounds),
-        }
-        for run in RUNS
-        for ratio in tables.ratios(result, run)
+    found = tables.speedups(result)
+    columns = ["scene", "n", "run", "own_run", "motion", "label", "family_ref", "label_ref"]
+    names = {"label": "implementation", "family_ref": "against", "label_ref": "reference"}
+    spans = found["ratios"].map(
+        lambda rounds: (median(rounds), min(rounds), max(rounds), len(rounds))
     )
+    spans = pd.DataFrame(
+        [*spans], found.index, columns=["times_as_fast_median", "min", "max", "rounds"]
+    )
+    return found[columns].rename(columns=names).join(spans)
 
 
 def stages_frame(result: Result) -> pd.DataFrame:

@@ -24,6 +24,7 @@ order of the JSON. The columns:
     beyond_bytes                bytes per sphere beyond input and output; NaN on a device
     candidates_per_pair         NaN if unknown, or without true pairs
     truth_pairs truth_checksum scene_class real   of the row's group
+    group                       place of the group in the JSON
     plan                        the Plan, or None
 
 Whole numbers that may be absent are of dtype Int64 (pd.NA where absent), other numbers are floats
@@ -54,7 +55,7 @@ if TYPE_CHECKING:
     from octocell_report.load import Result
 
 _TYPES = {
-    **dict.fromkeys(("n", "threads", "order", "rounds"), "int64"),
+    **dict.fromkeys(("n", "threads", "order", "rounds", "group"), "int64"),
     **dict.fromkeys(("negative_control", "ran", "counts", "excused", "real"), "bool"),
     **dict.fromkeys(("pairs", "missed", "false", "duplicates", "candidates"), "Int64"),
     **dict.fromkeys(("uncertain_pairs", "truth_pairs", "distinct_checksums"), "Int64"),
@@ -64,7 +65,16 @@ _TYPES = {
 }
 _DERIVED = (
     *("label", "order", "side", "family", "ran", "counts", "excused", "round_ms", "rounds"),
-    *("median_ms", "min_ms", "max_ms", "truth_pairs", "truth_checksum", "scene_class", "real"),
+    *(
+        "median_ms",
+        "min_ms",
+        "max_ms",
+        "truth_pairs",
+        "truth_checksum",
+        "scene_class",
+        "real",
+        "group",
+    ),
 )
 
 
@@ -91,12 +101,13 @@ def labels(impls: Sequence[Impl]) -> dict[Impl, str]:
 
 
 def rows_frame(result: Result, rows: Iterable[Row]) -> pd.DataFrame:
-    groups = {group.place: group for group in result.groups}
+    groups = {group.place: (index, group) for index, group in enumerate(result.groups)}
     order = {impl: index for index, impl in enumerate(result.impls)}
     sides = result.sides
 
     def line(row: Row) -> dict[str, Any]:
-        impl, group, times = row.impl, groups[row.place], row.round_ms
+        impl, times = row.impl, row.round_ms
+        index, group = groups[row.place]
         return asdict(row) | {
             "predicate": impl.predicate,
             "motion": row.motion.scene if row.motion else None,
@@ -110,7 +121,7 @@ def rows_frame(result: Result, rows: Iterable[Row]) -> pd.DataFrame:
             **{"min_ms": min(times, default=None), "max_ms": max(times, default=None)},
             **{"truth_pairs": group.truth_pairs, "scene_class": group.scene_class},
             "truth_checksum": group.truth.checksum if group.truth else None,
-            "real": group.real,
+            **{"real": group.real, "group": index},
         }
 
     columns = [*Row.__struct_fields__, *_DERIVED]

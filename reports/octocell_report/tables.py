@@ -6,8 +6,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from statistics import median
+from typing import NamedTuple
 
 import numpy as np
+import pandas as pd
 
 from octocell_report import spread, words
 from octocell_report.load import DEVICE_RUNS, RUNS, Group, Impl, Place, Result, Row
@@ -56,8 +58,7 @@ def power_law(rows: list[Row]) -> tuple[float, float] | None:
     return math.exp(log_a), float(b)
 
 
-@dataclass(frozen=True)
-class Ratio:
+class Ratio(NamedTuple):
     """How many times as fast as the reference; above 1 is faster."""
 
     impl: Impl
@@ -80,56 +81,52 @@ def families(result: Result) -> list[str]:
     return list(dict.fromkeys(words.family(backend) for backend in backends))
 
 
-def fastest(rows: list[Row], family: str) -> Row | None:
-    """The fastest exact baseline of a family among the rows of one group and run."""
-    fits = [
-        row
-        for row in rows
-        if row.kind == "baseline" and row.counts and words.family(row.impl.backend) == family
-    ]
-    return min(fits, key=lambda row: row.median_ms, default=None)
-
-
 def round_ratios(reference: Row, row: Row) -> tuple[float, ...]:
     """reference / row for the rounds that both have; empty where the row took no time."""
     return spread.ratios(reference.round_ms, row.round_ms)
 
 
-def ratios(result: Result, run: str, kind: str = "backend") -> list[Ratio]:
-    """Every exact row of that kind against the fastest exact baseline of each library.
+def speedups(result: Result) -> pd.DataFrame:
+    """Every exact row of ours against the fastest exact baseline of each library, by run.
 
-    Our backends have no run of an update: they search again. So their warm rows, measured in
-    the same rounds, are held against the baselines' updates.
+    The columns of Result.frame for the row, the same with `_ref` for the baseline, and `ratios`,
+    one per round: how many times as fast the row is. Our backends have no run of an update: they
+    search again. So their warm rows, measured in the same rounds, stand beside the baselines'
+    updates; `own_run` says so.
     """
-    found = []
-    for group in result.groups:
-        here = result.at(group.place, run)
-        own = [row for row in here if row.kind == kind]
-        if not own and run in UPDATES:
-            own = [row for row in result.at(group.place, "warm") if row.kind == kind]
-        for motion in dict.fromkeys(_motion(row) for row in here):
-            theirs = [row for row in here if _motion(row) == motion]
-            ours = [row for row in own if run in UPDATES or _motion(row) == motion]
-            found += _held_against(result, run, ours, theirs)
-    return found
+    where = ["scene", "n", "run", "motion"]
+    exact = result.frame[result.frame["counts"]].reset_index(names="row")
+    exact["own_run"] = exact["run"]
+    ours = exact[exact["kind"] == "backend"]
+    again = [ours[ours["run"] == "warm"].assign(run=run) for run in UPDATES]
+    theirs = exact[exact["kind"] == "baseline"].sort_values("median_ms", kind="stable")
+    fastest = theirs.drop_duplicates([*where, "family"])
+    found = pd.concat([ours, *again]).merge(fastest, on=where, suffixes=("", "_ref"))
+    rounds = zip(found["round_ms_ref"], found["round_ms"], strict=True)
+    found["ratios"] = pd.Series([spread.ratios(*pair) for pair in rounds], dtype=object)
+    order = {"run": RUNS, "motion": [*found["motion"].unique()], "family_ref": families(result)}
+    return found[found["ratios"].map(len) > 0].sort_values(
+        ["run", "group", "motion", "family_ref", "row"],
+        key=lambda keys: keys.map(order[keys.name].index) if keys.name in order else keys,
+    )
 
 
-def _held_against(result: Result, run: str, ours: list[Row], theirs: list[Row]) -> list[Ratio]:
-    found = []
-    for name in families(result):
-        reference = fastest(theirs, name)
-        for row in ours:
-            if reference is None or not row.counts:
-                continue
-            rounds = round_ratios(reference, row)
-            if rounds:
-                head = (row.impl, row.place, run, name, reference.impl, rounds, row.run)
-                found.append(Ratio(*head, _motion(reference)))
-    return found
-
-
-def _motion(row: Row) -> str | None:
-    return row.motion.scene if row.motion else None
+def ratios(result: Result, run: str) -> list[Ratio]:
+    found = speedups(result)
+    impls = dict(enumerate(result.impls))
+    return [
+        Ratio(
+            impls[r.order],
+            Place(r.scene, r.n),
+            r.run,
+            r.family_ref,
+            impls[r.order_ref],
+            r.ratios,
+            r.own_run,
+            r.motion,
+        )
+        for r in found[found["run"] == run].itertuples()
+    ]
 
 
 @dataclass(frozen=True)
