@@ -9,10 +9,11 @@ predicates, of several the one whose exact row is fastest; so predicates differ 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import cached_property
 from statistics import median
 from typing import NamedTuple
+
+import pandas as pd
 
 from octocell_report import tables, words
 from octocell_report.fields import ReportError
@@ -24,12 +25,13 @@ RUN = "warm"
 SHARE = 95  # per cent that intervals hold here
 MILLION = 1_000_000
 JUDGING = ("pair_tests", "resolve")  # the stages that a predicate is part of
+CONFIGURATION = ["method", "rule", "threads"]
 
 
 class Series(NamedTuple):
     backend: str
     predicate: str | None  # None for a library's broad phase
-    side: str  # of load.SIDES
+    side: str  # as in Result.frame
 
     @property
     def label(self) -> str:
@@ -45,78 +47,33 @@ class Series(NamedTuple):
         return self.side == "device"
 
 
-@dataclass(frozen=True)
 class Point:
     """One series on one scene."""
 
-    series: Series
-    row: Row
-    group: Group
-
-    @property
-    def ns(self) -> float:
-        return tables.ns_per_sphere(self.row)
-
-    @property
-    def missed(self) -> int:
-        return self.row.missed or 0
-
-    @property
-    def false(self) -> int:
-        """Pairs that are none, and pairs given again."""
-        return (self.row.false or 0) + (self.row.duplicates or 0)
-
-    @property
-    def errors(self) -> int:
-        return self.missed + self.false
-
-    @property
-    def pairs(self) -> int:
-        return self.group.truth_pairs or 0
+    def __init__(self, series: Series, row: Row, group: Group) -> None:
+        self.series, self.row, self.group = series, row, group
+        self.ns = tables.ns_per_sphere(row)
+        self.pairs = group.truth_pairs or 0
+        self.missed = row.missed or 0
+        self.false = (row.false or 0) + (row.duplicates or 0)
+        self.errors = self.missed + self.false
+        self.claimed = not row.negative_control and not row.known_issues  # it claims to be exact
+        # Of the worst pairs, by the sum of the radii: how deep the overlap, how wide the gap is.
+        self.depth, self.gap = row.worst_missed_depth, row.worst_false_gap
 
     def rate(self, errors: int) -> float:
         """Per million true pairs; of a scene without any, as if it had one."""
         return MILLION * errors / max(1, self.pairs)
 
-    @property
-    def claimed(self) -> bool:
-        """Its series claims to be exact, and is not known to be wrong."""
-        return not self.row.negative_control and not self.row.known_issues
 
-    @property
-    def depth(self) -> float | None:
-        """Of the missed pair that overlaps most: how deep, by the sum of the radii."""
-        return self.row.worst_missed_depth
-
-    @property
-    def gap(self) -> float | None:
-        """Of the false pair that lies farthest apart: how far, by the sum of the radii."""
-        return self.row.worst_false_gap
-
-
-@dataclass(frozen=True)
 class Summary:
     """One series over the scenes of one class."""
 
-    series: Series
-    points: list[Point]
-
-    @cached_property
-    def ns(self) -> float:
-        return median(point.ns for point in self.points)
-
-    @property
-    def pairs(self) -> int:
-        return sum(point.pairs for point in self.points)
-
-    @property
-    def errors(self) -> int:
-        return sum(point.errors for point in self.points)
-
-    @property
-    def exact(self) -> bool:
-        """No error anywhere, and not by luck."""
-        return self.errors == 0 and all(point.claimed for point in self.points)
+    def __init__(self, series: Series, points: list[Point]) -> None:
+        self.series, self.points = series, points
+        self.ns = median(point.ns for point in points)
+        self.errors = sum(point.errors for point in points)
+        self.exact = self.errors == 0 and all(point.claimed for point in points)  # not by luck
 
     def worst(self, kind: str) -> Point | None:
         """The scene with most pairs of that kind (missed, false) per true pair; None without."""
@@ -124,8 +81,7 @@ class Summary:
         return max(wrong, key=lambda p: p.rate(getattr(p, kind)), default=None)
 
 
-@dataclass(frozen=True)
-class Cost:
+class Cost(NamedTuple):
     """What exact decisions cost beside plain float32 ones: stages 5 and 6, within rounds."""
 
     place: Place
@@ -144,8 +100,8 @@ class Study:
         for result in self.results:
             for point in _points(result):
                 found.setdefault((point.series, point.row.place), point)
-        order = {series: index for index, series in enumerate(_order(s for s, _ in found))}
-        self.points = sorted(found.values(), key=lambda point: order[point.series])
+        ordered = sorted(dict.fromkeys(series for series, _ in found), key=_order)
+        self.points = sorted(found.values(), key=lambda point: ordered.index(point.series))
 
     @cached_property
     def series(self) -> list[Series]:
@@ -170,11 +126,9 @@ class Study:
         return [predicate for predicate in PREDICATES if predicate in met]
 
     def summaries(self, scene_class: str) -> list[Summary]:
-        found: dict[Series, list[Point]] = {}
-        for point in self.points:
-            if point.group.scene_class == scene_class:
-                found.setdefault(point.series, []).append(point)
-        return [Summary(series, points) for series, points in found.items()]
+        here = [point for point in self.points if point.group.scene_class == scene_class]
+        met = dict.fromkeys(point.series for point in here)
+        return [Summary(series, [p for p in here if p.series == series]) for series in met]
 
     def fronts(self, scene_class: str) -> dict[bool, Summary]:
         """The fastest exact series of the host (False) and of a device (True), if there is one."""
@@ -192,16 +146,12 @@ class Study:
     def costs(self) -> list[Cost]:
         """By backend and scene, where both predicates ran and gave a time."""
         held = {(p.series.backend, p.series.predicate, p.row.place): p for p in self.points}
-        found = []
-        for (backend, predicate, place), exact in held.items():
-            plain = held.get((backend, FLOAT32, place))
-            if (
-                predicate == EXACT
-                and plain is not None
-                and plain.row.impl[1:4] == exact.row.impl[1:4]
-            ):
-                found += _cost(backend, exact, plain)
-        return found
+        both = (
+            (exact, held.get((backend, FLOAT32, place)))
+            for (backend, predicate, place), exact in held.items()
+            if predicate == EXACT
+        )
+        return [cost for exact, plain in both if plain and (cost := _cost(exact, plain))]
 
     @property
     def compares(self) -> bool:
@@ -222,62 +172,51 @@ def require(study: Study) -> None:
 
 def _points(result: Result) -> list[Point]:
     """One result's, each scene at the size at which most series ran."""
-    groups = {group.place: group for group in result.groups if group.scene_class is not None}
-    sides = {impl.backend: side for impl, side in result.sides.items()}
-    rows = [row for row in result.rows if row.place in groups and _shown(row)]
-    found: dict[Place, list[Point]] = {}
-    for place in dict.fromkeys(row.place for row in rows):
-        for row in _standing([row for row in rows if row.place == place]):
-            side = sides[row.impl.backend]
-            series = Series(row.impl.backend, _predicate(row), side)
-            found.setdefault(place, []).append(Point(series, row, groups[place]))
-    best: dict[str, Place] = {}
-    for place, points in found.items():
-        other = best.get(place.scene)
-        if other is None or (len(points), place.n) > (len(found[other]), other.n):
-            best[place.scene] = place
-    return [point for place in best.values() for point in found[place]]
+    frame = result.frame
+    rows = frame[
+        (frame["run"] == RUN)
+        & frame["scene_class"].notna()
+        & frame["missed"].notna()  # so its errors are known
+        & ~(frame["negative_control"] & frame["predicate"].isna())  # they are not a wrong rule's
+        & (frame["ns_per_sphere"] > 0)
+    ]
+    exact = rows.assign(ms=rows["median_ms"].where(rows["predicate"].isna()))
+    by = exact.groupby(["scene", "n", "backend", *CONFIGURATION], dropna=False)
+    fastest = by["ms"].transform("min").fillna(by["median_ms"].transform("min"))
+    known = {"configuration": by.ngroup(), "met": by["ms"].transform("size"), "speed": 1 / fastest}
+    rows = _best(rows.assign(**known), ["scene", "n", "backend"], "configuration", ["met", "speed"])
+    met = rows.groupby(["scene", "n"])["backend"].transform("size")
+    rows = _best(rows.assign(met=met), ["scene"], "n", ["met", "n"])
+    groups = {group.place: group for group in result.groups}
+    every = [(result.rows[at], side) for at, side in rows["side"].items()]
+    every.sort(key=lambda known: result.scenes.index(known[0].scene))
+    return [Point(_series(row, side), row, groups[row.place]) for row, side in every]
 
 
-def _shown(row: Row) -> bool:
-    """It ran, its errors are known, and they are the predicate's, not those of a wrong rule."""
-    known = row.run == RUN and row.status != "skipped" and row.missed is not None
-    wrong_rule = row.negative_control and row.predicate in (None, EXACT)
-    return known and not wrong_rule and row.place.n > 0 and row.median_ms > 0
+def _best(rows: pd.DataFrame, of: list[str], column: str, rank: list[str]) -> pd.DataFrame:
+    """Of each group those lines whose column holds what that of the highest rank holds."""
+    ranked = rows.sort_values(rank, kind="stable").groupby(of)[column].transform("last")
+    return rows[rows[column] == ranked.reindex(rows.index)]
 
 
-def _predicate(row: Row) -> str | None:
-    return (row.predicate or EXACT) if row.kind == "backend" else None
+def _series(row: Row, side: str) -> Series:
+    predicate = (row.predicate or EXACT) if row.kind == "backend" else None
+    return Series(row.backend, predicate, side)
 
 
-def _standing(rows: list[Row]) -> list[Row]:
-    """Of each backend the rows of the configuration that stands for it."""
-    by_backend: dict[str, dict[tuple[object, ...], dict[str | None, Row]]] = {}
-    for row in rows:
-        configurations = by_backend.setdefault(row.impl.backend, {})
-        configurations.setdefault(row.impl[1:4], {})[_predicate(row)] = row
-
-    def rank(held: dict[str | None, Row]) -> tuple[int, float]:
-        fastest = held.get(EXACT) or min(held.values(), key=lambda row: row.median_ms)
-        return -len(held), fastest.median_ms
-
-    return [row for held in by_backend.values() for row in min(held.values(), key=rank).values()]
+def _order(series: Series) -> tuple[int, str]:
+    ours = PREDICATES.index(series.predicate) if series.predicate else len(PREDICATES)
+    return ours, "" if series.predicate else series.lane
 
 
-def _order(every: Iterable[Series]) -> list[Series]:
-    met = list(dict.fromkeys(every))
-    ours = [series for series in met if series.predicate]
-    libraries = [series for series in met if not series.predicate]
-    ours.sort(key=lambda series: PREDICATES.index(series.predicate or ""))
-    return ours + sorted(libraries, key=lambda series: series.lane)
-
-
-def _cost(backend: str, exact: Point, plain: Point) -> list[Cost]:
+def _cost(exact: Point, plain: Point) -> Cost | None:
     whole = _ratio(exact.row.round_ms, plain.row.round_ms)
+    if whole is None or exact.row.impl[1:4] != plain.row.impl[1:4]:
+        return None
     stages = _ratio(_judging_ms(exact.row), _judging_ms(plain.row))
-    candidates = exact.row.candidates
-    each = candidates / exact.pairs if candidates is not None and exact.pairs else float("nan")
-    return [Cost(exact.row.place, backend, stages, whole, each)] if whole else []
+    known = exact.row.candidates is not None and exact.pairs
+    each = (exact.row.candidates or 0) / exact.pairs if known else float("nan")
+    return Cost(exact.row.place, exact.series.backend, stages, whole, each)
 
 
 def _judging_ms(row: Row) -> tuple[float, ...]:
