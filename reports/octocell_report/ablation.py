@@ -15,11 +15,11 @@ from octocell_report import tables, words
 from octocell_report.fields import ReportError
 from octocell_report.load import Place, Result, Row
 from octocell_report.plan import NOTHING, PLANNED, allowed_last, forbidden
-from octocell_report.spread import Estimate, estimate
+from octocell_report.spread import Estimate, estimate, ratios
+from octocell_report.tables import ns_per_sphere
 
 TARGET = 1.10  # planned time by the best forced choice's: what the planner is asked to stay below
 WORTH_TELLING = 0.02  # a step that changes less of the time with nothing skipped is not named
-_NS = 1e6  # a millisecond
 
 
 class Key(NamedTuple):
@@ -40,24 +40,22 @@ class Study:
     @property
     def title(self) -> str:
         """The scene, and of the rest what is not the rule."""
-        place, run, motion = self.key.place, self.key.run, self.key.motion
-        text = words.place(place)
-        if run not in ("warm", tables.DYNAMIC):
-            text += f", {words.run(run)}"
-        if motion not in (None, place.scene):
-            text += f", {motion}"
-        return text if self.key.threads == 1 else f"{text} ({self.key.threads} threads)"
+        place, run, motion, threads = (
+            self.key.place,
+            self.key.run,
+            self.key.motion,
+            self.key.threads,
+        )
+        parts = [words.place(place)]
+        parts += [words.run(run)] if run not in ("warm", tables.DYNAMIC) else []
+        parts += [motion] if motion not in (None, place.scene) else []
+        return ", ".join(parts) + (f" ({threads} threads)" if threads != 1 else "")
 
     @property
     def base(self) -> Row:
         """The planned row, of a study that is judged."""
         assert self.planned is not None
         return self.planned
-
-    @property
-    def takes(self) -> tuple[str, ...]:
-        """The skips of the plan."""
-        return self.base.plan.skips if self.base.plan else ()
 
     def variant(self, name: str) -> Row | None:
         return next((row for row in self.variants if row.skips == name), None)
@@ -69,7 +67,7 @@ def studies(result: Result) -> list[Study]:
 
 
 def unjudged(result: Result) -> list[Study]:
-    """Those without an exact planned row that others could be held against."""
+    """Those without an exact planned row to compare others with."""
     return [study for study in _all(result) if not _timed(study.planned)]
 
 
@@ -92,10 +90,10 @@ def _all(result: Result) -> list[Study]:
     found: dict[Key, Study] = {}
     for row in [*result.variants, *result.rows]:
         motion = row.motion.scene if row.motion else None
-        key = Key(row.impl.backend, row.impl.threads, row.place, row.run, motion)
+        key = Key(row.backend, row.threads, row.place, row.run, motion)
         if row.skips is not None:
             found.setdefault(key, Study(key)).variants.append(row)
-        elif key in found and row.impl.method == PLANNED:
+        elif key in found and row.method == PLANNED:
             found[key].planned = row
         elif key in found and row.kind == "backend":
             found[key].forced.append(row)
@@ -104,11 +102,20 @@ def _all(result: Result) -> list[Study]:
 
 
 def _timed(row: Row | None) -> bool:
-    return row is not None and row.counts and row.median_ms > 0 and row.place.n > 0
+    return row is not None and row.counts and row.median_ms > 0 and row.n > 0
 
 
-@dataclass(frozen=True)
-class Effect:
+def by_planned(study: Study, row: Row) -> Estimate | None:
+    """Time of the row / time planned; None unless both are exact."""
+    return _ratio(row, study.planned) if _timed(row) and _timed(study.planned) else None
+
+
+def _ratio(above: Row, below: Row | None) -> Estimate | None:
+    rounds = ratios(above.round_ms, below.round_ms if below else ())
+    return estimate(rounds) if rounds else None
+
+
+class Effect(NamedTuple):
     """One skip forbidden."""
 
     skip: str
@@ -118,27 +125,17 @@ class Effect:
 
 
 def effects(study: Study) -> list[Effect]:
-    found = []
-    for row in study.variants:
-        skip = forbidden(row.skips or "")
-        if skip is not None:
-            found.append(Effect(skip, row, skip in study.takes, by_planned(study, row)))
-    return found
+    takes = study.base.plan.skips if study.base.plan else ()
+    return [
+        Effect(skip, row, skip in takes, by_planned(study, row))
+        for row in study.variants
+        if (skip := forbidden(row.skips or "")) is not None
+    ]
 
 
 def skips_of(every: Iterable[Study]) -> list[str]:
     """The skips that were forbidden one by one, in the order of the file."""
     return list(dict.fromkeys(effect.skip for study in every for effect in effects(study)))
-
-
-def by_planned(study: Study, row: Row) -> Estimate | None:
-    """Time of the row / time planned; None unless both are exact."""
-    return _ratio(row, study.base) if _timed(row) and _timed(study.planned) else None
-
-
-def _ratio(above: Row, below: Row) -> Estimate | None:
-    rounds = tables.round_ratios(above, below)
-    return estimate(rounds) if rounds else None
 
 
 @dataclass(frozen=True)
@@ -175,28 +172,24 @@ class Step:
 
 def steps(study: Study) -> list[Step]:
     """From nothing skipped to everything; none where the start has no time."""
-    start = study.variant(NOTHING)
-    if start is None or not _timed(start):
+    last = study.variant(NOTHING)
+    if last is None or not _timed(last):
         return []
     rows = {allowed: row for row in study.variants if (allowed := allowed_last(row.skips or ""))}
     found: list[Step] = []
-    last, first = start, tables.ns_per_sphere(start)
+    start = ns_per_sphere(last)
     for (_, skip), row in sorted(rows.items()):
         taken = row.plan is not None and skip in row.plan.skips
-        before = tables.ns_per_sphere(last)
         joint = bool(found) and found[-1].after is None
-        if not _timed(row):
-            found.append(Step(skip, row, taken, first, before, None, None, joint))
-            continue
-        after, saved = tables.ns_per_sphere(row), _saved(last, row)
-        found.append(Step(skip, row, taken, first, before, after, saved, joint))
-        last = row
+        after, saved = (ns_per_sphere(row), _saved(last, row)) if _timed(row) else (None, None)
+        found.append(Step(skip, row, taken, start, ns_per_sphere(last), after, saved, joint))
+        last = last if after is None else row
     return found
 
 
 def _saved(before: Row, after: Row) -> Estimate | None:
     pairs = zip(before.round_ms, after.round_ms, strict=False)
-    rounds = tuple((first - then) * _NS / after.place.n for first, then in pairs)
+    rounds = tuple((first - then) * 1e6 / after.n for first, then in pairs)
     return estimate(rounds) if rounds else None
 
 
@@ -206,8 +199,7 @@ def whole(study: Study) -> Estimate | None:
     return by_planned(study, start) if start is not None else None
 
 
-@dataclass(frozen=True)
-class Regret:
+class Regret(NamedTuple):
     """The planned row against the fastest of the choices that could have been forced."""
 
     study: Study
@@ -248,4 +240,4 @@ def choice(row: Row) -> str:
     """What was forced: 'home_phantom chapter32', or a variant's name."""
     if row.skips is not None:
         return row.skips
-    return " ".join(part for part in (row.impl.method, row.impl.rule) if part)
+    return " ".join(part for part in (row.method, row.rule) if part)
