@@ -29,7 +29,7 @@ constexpr int kExitWrongAnswer = 1;
 constexpr int kExitInterrupted = 130;
 constexpr const char* kExactPairs = "exact pairs";
 
-/// Of a sphere, before a row was seen.
+/// Returns a guess of the seconds per sphere, until a row has been measured.
 double guessed_seconds(const BackendInfo& backend) {
   if (backend.kind == Kind::baseline) return 1e-6;
   return backend.device ? 1e-8 : 5e-8;
@@ -43,14 +43,14 @@ std::regex compile_filter(const BenchOptions& options) {
   }
 }
 
-/// A group and its rows, before anything is run.
+/// A group and its rows, before any of them runs.
 struct PlannedGroup {
   Group group;
   std::vector<RowSpec> rows;
 };
 
-/// Everything that the options ask for. What is wrong with them is said here, before a file is
-/// touched.
+/// Returns all groups that the options choose. Reports what is wrong with the options before any
+/// file is touched.
 std::vector<PlannedGroup> plan_groups(const BenchOptions& options) {
   const std::regex filter = compile_filter(options);
   std::vector<PlannedGroup> planned;
@@ -62,13 +62,14 @@ std::vector<PlannedGroup> plan_groups(const BenchOptions& options) {
   return planned;
 }
 
-/// A row while its group runs: its place in the whole bench, and what runs it.
+/// A row while its group runs: its place in the whole bench, and its runner.
 struct ActiveRow {
   std::size_t step;
   std::unique_ptr<RowRunner> runner;
 };
 
-/// Every frame, and what is right for it; told before each, `goes_on` may end it early.
+/// Returns every frame with its exact pairs. Calls `goes_on` before each frame, which may end this
+/// early.
 Subject film(const Group& group, const std::function<bool(std::size_t)>& goes_on) {
   Footage footage = footage_of(group);
   Subject subject = {.spec = std::move(footage.spec),
@@ -88,8 +89,8 @@ Subject film(const Group& group, const std::function<bool(std::size_t)>& goes_on
   return subject;
 }
 
-/// Negative controls are kept because they are wrong, and a library may lose pairs by a fault it is
-/// known for.
+/// Returns true if a wrong row makes the bench fail. A negative control is kept because it is
+/// wrong, and a library may lose pairs by a known issue.
 bool is_failure(const RowRunner& runner) {
   const Implementation& how = runner.row().how;
   const bool excused = how.has_known_issues() && runner.result().difference.only_missed();
@@ -210,7 +211,7 @@ class Bench {
     }
     verify_rows(group, rows);
     measure_rounds(group, rows);
-    if (interrupted()) return;  // a group counts when it is whole
+    if (interrupted()) return;  // only a complete group counts
     results_.add_group(describe_group(group, subject));
     for (ActiveRow& row : rows) {
       const RowRunner& runner = *row.runner;
@@ -236,8 +237,10 @@ class Bench {
   }
 
   void verify_rows(const Group& group, std::vector<ActiveRow>& rows) {
-    std::map<std::string, std::optional<std::uint64_t>> memory;  // by implementation and threads
-    std::map<std::string, std::optional<std::string>> trials;    // how a baseline failed apart
+    std::map<std::string, std::optional<std::uint64_t>> memory;  // for each implementation and
+                                                                 // number of threads
+    std::map<std::string, std::optional<std::string>> trials;    // how a baseline failed in its own
+                                                                 // process
     for (auto& [step, owned] : rows) {
       RowRunner& runner = *owned;
       if (interrupted()) return;
@@ -254,7 +257,7 @@ class Bench {
         runner.verify(options_.min_time_ms);
       }
       const bool skipped = runner.result().skipped.has_value();
-      // The host's memory says little of a row on a device: most of it is the driver's.
+      // For a row on a GPU, the host's memory says little: most of it belongs to the driver.
       if (options_.memory && !skipped && !group.moves() && !row.how.backend->device) {
         if (!memory.contains(key)) memory[key] = peak_bytes(row, group);
         runner.result().peak_bytes = memory[key];
@@ -263,7 +266,7 @@ class Bench {
     }
   }
 
-  /// Each round measures every row once, in an order of its own.
+  /// Each round measures every row once; the order differs from round to round.
   void measure_rounds(const Group& group, std::vector<ActiveRow>& rows) {
     std::vector<ActiveRow*> order;
     for (ActiveRow& row : rows) {
@@ -284,13 +287,13 @@ class Bench {
     }
   }
 
-  /// A row with fewer rounds than its group has them spread over the whole.
+  /// A row with fewer rounds than its group takes part in rounds that are spread evenly.
   static bool takes_part(int round, const Group& group, const RowRunner& runner) {
     const int own_rounds = group.rounds_of(runner.row().how.is_baseline());
     return round * own_rounds % group.rounds < own_rounds;
   }
 
-  /// What fitted once may not fit beside others: the device's memory is shared.
+  /// A row may run out of memory here although it fitted before: all rows share the GPU's memory.
   static void measure(RowRunner& runner, const Group& group) {
     if (runner.result().skipped) return;
     try {

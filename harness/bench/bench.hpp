@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Time every implementation on every scene, check each row against the exact pairs, write JSON.
+// Times every implementation on every scene, compares each row with the exact pairs, writes JSON.
 #pragma once
 
 #include <chrono>
@@ -10,38 +10,38 @@
 namespace octocell::bench {
 
 struct BenchOptions {
-  std::string preset = "quick";      // a name of choose_groups(); which scenes, sizes and rounds
+  std::string preset = "quick";      // a name of choose_groups(): scenes, sizes and rounds
   std::vector<std::string> scenes;   // instead of the preset's
-  std::optional<std::string> flags;  // of the one scene named: a side file
+  std::optional<std::string> flags;  // a file with the flags of the one scene given
   std::string motion;                // sets those scenes in motion
   std::string trajectory;            // a folder of frames, *.npy
-  int frames = 20;                   // of a motion
-  bool round_input = false;          // accept float64 files; say what rounding changed
+  int frames = 20;                   // for a motion
+  bool round_input = false;          // accepts float64 files, and reports what rounding changed
   std::string backend = "all";
   std::string output = "reports/out/bench.json";
   std::string filter;         // regular expression on row names; empty: all
   std::optional<int> rounds;  // instead of the preset's
   double min_time_ms = 10.0;  // a measurement repeats short runs for at least this long
-  /// A baseline is first tried in a process of its own, which may take so long.
+  /// A baseline is first tried in a process of its own, which may take this long.
   std::chrono::duration<double> baseline_limit{60.0};
-  bool list_only = false;  // print the names of the rows and stop
-  bool memory = true;      // measure peak memory, one child process a row
+  bool list_only = false;  // prints the names of the rows and stops
+  bool memory = true;      // measures peak memory, with one child process per row
 };
 
-/// Takes the flags it knows out of `arguments` (Google Benchmark's --benchmark_filter,
+/// Takes the flags that it knows out of `arguments` (Google Benchmark's --benchmark_filter,
 /// --benchmark_repetitions, --benchmark_min_time, --benchmark_out, --benchmark_list_tests), and
-/// hands the rest to Google Benchmark. Throws InputError for a flag that neither knows.
+/// passes the rest to Google Benchmark. Throws InputError for a flag that neither knows.
 void take_benchmark_flags(BenchOptions& options, std::vector<std::string> arguments);
 
 /// Returns the exit code: 0; 1 if a row that is no negative control is wrong; 130 after Ctrl-C,
 /// with every finished group in the output. Throws InputError.
 int run_bench(const BenchOptions& options);
 
-/// The child process behind the memory column: finds the pairs once and prints
-/// {"peak_bytes": growth of resident memory over the scene itself, "output_bytes": 8 a pair}.
+/// The child process that measures the memory column: it finds the pairs once and prints
+/// {"peak_bytes": growth of resident memory beyond the scene itself, "output_bytes": 8 a pair}.
 struct MemoryOptions {
   std::string scene;
-  std::optional<std::string> flags;  // a side file
+  std::optional<std::string> flags;  // a separate file
   bool round_input = false;
   std::string row;  // Implementation::label()
   int threads = 1;

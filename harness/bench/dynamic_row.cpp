@@ -15,7 +15,7 @@
 namespace octocell::bench {
 namespace {
 
-/// Of the frames after the warm-up (of all, if there are no others).
+/// Returns the median of the frames after the warm-up (of all frames, if there are no others).
 double steady_median(const std::vector<double>& frames) {
   const std::size_t skipped = frames.size() > kWarmupFrames ? kWarmupFrames : 0;
   return median({frames.begin() + static_cast<std::ptrdiff_t>(skipped), frames.end()});

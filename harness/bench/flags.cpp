@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Google Benchmark's flags. Those that choose what is measured are ours to interpret (rounds are
-// interleaved here); the rest are checked first, because the library ends the program on a value
-// that it cannot read.
+// Google Benchmark's flags. We interpret those that choose what is measured, because rounds are
+// interleaved here. We check the others first, because the library ends the program on a value that
+// it cannot read.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -30,7 +30,9 @@ struct Flag {
 
 double positive_number(const Flag& flag) {
   std::string_view digits = flag.value;
-  if (!digits.empty() && digits.back() == 's') digits.remove_suffix(1);  // seconds, if it says so
+  if (!digits.empty() && digits.back() == 's')
+    digits.remove_suffix(1);  // the suffix for seconds,
+                              // if there is one
   double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc() || end != digits.data() + digits.size() || !(value > 0.0) ||
@@ -58,7 +60,7 @@ bool truth_value(const Flag& flag) {
   refuse(flag, "true or false");
 }
 
-/// True if the flag is one of those that we interpret.
+/// Returns true if we interpret the flag.
 bool interpret(BenchOptions& options, const Flag& flag) {
   if (flag.name == "--benchmark_filter") {
     options.filter = flag.value;
@@ -77,7 +79,7 @@ bool interpret(BenchOptions& options, const Flag& flag) {
   return true;
 }
 
-/// The library's other flags, by what their values look like.
+/// Checks the library's other flags by the form of their values.
 void check_foreign(const Flag& flag) {
   if (is_one_of(flag.name, {"--benchmark_format", "--benchmark_out_format"})) {
     if (!is_one_of(flag.value, {"console", "json", "csv"})) refuse(flag, "console, json or csv");

@@ -8,7 +8,7 @@
 namespace octocell::bench {
 namespace {
 
-/// Takes the time of one benchmark, and prints nothing.
+/// Reads the time of one benchmark, and prints nothing.
 class OneTime final : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context&) override { return true; }

@@ -7,8 +7,8 @@
 
 namespace octocell::bench {
 
-/// One benchmark of Google Benchmark with manual time: calls run_ms `iterations` times, each
-/// returning what it took in milliseconds, and returns the average.
+/// Runs one benchmark of Google Benchmark with manual time: calls run_ms `iterations` times, each
+/// of which returns its time in milliseconds, and returns the average.
 double average_ms(const std::string& name, std::uint64_t iterations,
                   const std::function<double()>& run_ms);
 

@@ -7,7 +7,7 @@
 namespace octocell::bench {
 namespace {
 
-/// The fastest of several copies of a block that no cache holds.
+/// Returns the rate of the fastest of several copies of a block that fits into no cache.
 double copy_gigabytes_per_second() {
   constexpr std::size_t kBytes = std::size_t{1} << 30;
   cuda::DeviceArray<char> from;

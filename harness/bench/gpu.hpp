@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The GPU that rows run on. CMake compiles gpu.cu, or gpu_missing.cpp where there is no nvcc.
+// The GPU that rows run on. CMake compiles gpu.cu; without nvcc, gpu_missing.cpp.
 #pragma once
 
 #include <optional>
@@ -7,15 +7,16 @@
 
 namespace octocell::bench {
 
-/// Why nothing can run on a GPU here; nothing where something can.
+/// Returns why nothing can run on a GPU here; none if something can.
 std::optional<std::string> why_no_gpu();
 
 struct Gpu {
   std::string name;
-  std::string driver;                // the CUDA version it serves, such as 13.0
-  double copy_gigabytes_per_second;  // read and written: what no stage can be faster than
+  std::string driver;                // the CUDA version that the driver supports, such as 13.0
+  double copy_gigabytes_per_second;  // bytes read and written: the upper limit for every stage
 };
-/// Measures the copy, so call it once. Throws Error where why_no_gpu() says something.
+/// Describes the GPU. Measures a copy, so call it once. Throws Error with the reason of
+/// why_no_gpu(), if there is one.
 Gpu describe_gpu();
 
 }  // namespace octocell::bench

@@ -34,7 +34,7 @@ void add(std::vector<Group>& groups, std::string_view scene, std::uint64_t n, in
                     .rows = rows});
 }
 
-/// Fetched at set-up, or not.
+/// Returns the group of the molecule, which may not have been downloaded at set-up.
 Group molecule(int rounds) {
   Group group = {.scene = "1A2C",
                  .argument = std::string(kMolecule),
@@ -49,7 +49,7 @@ Group molecule(int rounds) {
   return group;
 }
 
-/// A scene of the caller's.
+/// Returns the group of a scene that the caller chose.
 Group custom(const std::string& argument, const LoadOptions& options = {}) {
   const Scene scene = load_or_generate(argument, options);
   return {.scene = scene.name,
@@ -59,7 +59,8 @@ Group custom(const std::string& argument, const LoadOptions& options = {}) {
           .round_input = options.round_input};
 }
 
-/// A preset's generator with parameters, which its label tells: poly(ratio=1e6).
+/// Returns a group for a preset's generator with parameters, which its label shows:
+/// poly(ratio=1e6).
 Group special(std::string_view argument, int rounds, Rows rows) {
   Group group = custom(std::string(argument));
   group.scene = argument.substr(0, argument.find(':'));
@@ -72,7 +73,7 @@ Group special(std::string_view argument, int rounds, Rows rows) {
   return group;
 }
 
-/// gas, gas#2: scenes that differ in a seed only must not share the names of their rows.
+/// Makes labels such as gas and gas#2: scenes that differ only in a seed must not share row names.
 void make_labels_distinct(std::vector<Group>& groups) {
   std::map<std::pair<std::string, std::uint64_t>, int> seen;
   for (Group& group : groups) {
@@ -81,7 +82,7 @@ void make_labels_distinct(std::vector<Group>& groups) {
   }
 }
 
-/// A gas that moves.
+/// Adds a gas that moves.
 void add_motion(std::vector<Group>& groups, Motion motion, std::uint64_t n, int frames,
                 int rounds) {
   add(groups, "gas", n, rounds, n <= 1'000 ? Rows::every : n <= 10'000 ? Rows::usual : Rows::fast);
@@ -90,20 +91,20 @@ void add_motion(std::vector<Group>& groups, Motion motion, std::uint64_t n, int 
   groups.back().frames = frames;
 }
 
-/// The same at a million, to see what a frame takes over from the last.
+/// Adds a million moving spheres, to show what a frame reuses from the last.
 void add_frames(std::vector<Group>& groups, Motion motion, int frames, int rounds) {
   add_motion(groups, motion, 1'000'000, frames, rounds);
   groups.back().rows = Rows::frames;
 }
 
-/// And with nine of ten standing still, which their flags tell.
+/// Adds the same, with flags that make nine of ten spheres static.
 void add_static(std::vector<Group>& groups, Motion motion, int frames, int rounds) {
   add_frames(groups, motion, frames, rounds);
   groups.back().scene += "_static";
   groups.back().argument += ",static=0.9";
 }
 
-/// Frames that set-up made from a real trajectory, or did not.
+/// Returns frames of a real trajectory, which set-up may not have made.
 Group trajectory(const std::string& folder, int rounds) {
   Group group = {.scene = "adk_trajectory",
                  .argument = folder,
@@ -158,7 +159,7 @@ std::vector<Group> full_groups() {
   return groups;
 }
 
-/// For a machine with a GPU: time against size, every scene at a million, frames.
+/// For a machine with a GPU: time against size, every scene at a million spheres, frames.
 std::vector<Group> gpu_groups() {
   constexpr int kRounds = 21;
   std::vector<Group> groups;
@@ -178,9 +179,9 @@ std::vector<Group> gpu_groups() {
   return groups;
 }
 
-/// Time of a frame that may take over from the last, and with flags beside the same without.
+/// Times of a frame that may reuse data from the last; for scenes with flags, also without them.
 std::vector<Group> frames_groups() {
-  constexpr int kFrames = 44;  // enough to see neighbor lists come and go
+  constexpr int kFrames = 44;  // enough for neighbor lists to begin and end
   constexpr int kRounds = 5;
   std::vector<Group> groups;
   for (const Motion motion :
@@ -194,7 +195,7 @@ std::vector<Group> frames_groups() {
   return groups;
 }
 
-/// Every scene, and some that a plain grid cannot bear.
+/// Every scene, and some for which a plain grid is far too slow.
 std::vector<Group> ablation_groups() {
   constexpr int kRounds = 41;
   constexpr std::string_view kHard[] = {"discs:n=100000",
@@ -210,8 +211,8 @@ std::vector<Group> ablation_groups() {
   return groups;
 }
 
-/// Run time against error: scenes without structure, with ties everywhere, and of extreme numbers.
-/// Small ones where libraries that lose pairs would not end in time on large ones.
+/// Run time against error: scenes without structure, scenes full of ties, and scenes of extreme
+/// numbers. Some are small because libraries that lose pairs would not finish large ones in time.
 std::vector<Group> error_groups() {
   constexpr int kRounds = 41;
   constexpr int kBaselineRounds = 5;
@@ -250,7 +251,7 @@ std::vector<Group> error_groups() {
   return groups;
 }
 
-/// The caller's scenes, set in motion if the options say so.
+/// Returns the caller's scenes, in motion if the options say so.
 std::vector<Group> custom_groups(const BenchOptions& options) {
   if (options.flags && (options.scenes.size() != 1 || !options.trajectory.empty())) {
     throw InputError("--flags are those of one scene: name that one, and nothing else");

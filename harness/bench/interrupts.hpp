@@ -3,8 +3,8 @@
 
 namespace octocell::bench {
 
-/// From here on the first Ctrl-C is only remembered, so that the run in progress can end; the
-/// second ends the program at once.
+/// From now on, the first Ctrl-C is only recorded, so that the current run can end; the second ends
+/// the program at once.
 void listen_for_interrupts();
 bool interrupted();
 

@@ -18,7 +18,8 @@
 namespace octocell::bench {
 namespace {
 
-/// The value of `key` in a file of "key<separator>value" lines; "unknown" if it is not there.
+/// Returns the value of `key` in a file of "key<separator>value" lines; "unknown" if it is not
+/// there.
 std::string value_in(const char* path, const std::string& key, char separator) {
   std::ifstream file(path);
   std::string line;
@@ -37,7 +38,7 @@ std::string host_name() {
   return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
 }
 
-/// What the CPU kernels were compiled for, not what the machine could do.
+/// Returns the instruction set that the CPU kernels were compiled for, not that of the machine.
 std::string instruction_set() {
   std::string set = "x86-64";
 #ifdef __SSE4_2__

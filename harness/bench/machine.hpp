@@ -7,7 +7,7 @@
 
 namespace octocell::bench {
 
-/// Where and from what the numbers come: machine, compiler, flags, commit, libraries, date.
+/// Describes where the numbers come from: machine, compiler, flags, commit, libraries, date.
 nlohmann::ordered_json describe_build_and_machine();
 
 /// {"name", "driver", "copy_gigabytes_per_second"}

@@ -27,7 +27,7 @@ extern char** environ;
 namespace octocell::bench {
 namespace {
 
-/// A line of /proc/self/status in bytes; 0 if it is not there.
+/// Returns a line of /proc/self/status in bytes; 0 if it is not there.
 std::uint64_t status_bytes(const std::string& field) {
   std::ifstream status("/proc/self/status");
   std::string word;
@@ -38,10 +38,10 @@ std::uint64_t status_bytes(const std::string& field) {
   return 0;
 }
 
-/// Resets VmHWM to what is resident now (proc(5), clear_refs).
+/// Resets VmHWM to the memory that is resident now (proc(5), clear_refs).
 void forget_peak() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
-/// Runs this program again with `arguments` and returns what it printed; empty on failure.
+/// Runs this program again with `arguments` and returns its output; empty on failure.
 std::string output_of_self(std::vector<std::string> arguments) {
   int pipe_ends[2];
   if (pipe(pipe_ends) != 0) return {};

@@ -9,8 +9,8 @@
 
 namespace octocell::bench {
 
-/// Growth of resident memory over the scene itself while the row finds its pairs once, in a child
-/// process of its own. Nothing where /proc does not tell.
+/// Returns how much resident memory grows beyond the scene itself while the row finds its pairs
+/// once, in its own child process. Returns none if /proc does not say.
 std::optional<std::uint64_t> peak_bytes(const RowSpec& row, const Group& group);
 
 }  // namespace octocell::bench

@@ -29,7 +29,8 @@ Progress::~Progress() {
   if (line_open_) std::fputs("\n", stderr);
 }
 
-/// On the line through what was seen, which has the slope that was guessed while only one size was.
+/// Returns a point on the line through the sizes seen so far; with only one size, its slope is the
+/// guess.
 double Progress::seconds_of_pass(const Step& step) const {
   const auto known = seen_.find(step.label);
   if (known == seen_.end()) return step.spheres * step.seconds_per_sphere;

@@ -9,16 +9,16 @@
 
 namespace octocell::bench {
 
-/// "[17/96] impl_cpu home_phantom lowest_cell gas n=100000 cold, about 2 min left", on stderr.
-/// On a terminal one line that is overwritten; elsewhere a line every few seconds.
+/// Prints "[17/96] impl_cpu home_phantom lowest_cell gas n=100000 cold, about 2 min left" on
+/// stderr. On a terminal, it overwrites one line; elsewhere it prints a line every few seconds.
 class Progress {
  public:
-  /// A step is one row of one group, its check and all its rounds; or what is done before them.
+  /// A step is one row of one group with its check and all its rounds, or the work before the rows.
   struct Step {
-    std::string label;  // of the implementation: what is learnt from one size serves the next
+    std::string label;  // of the implementation; times of one size help to predict the next
     double spheres;
-    double passes;                     // runs that the step will take
-    double seconds_per_sphere = 5e-7;  // of one pass: a guess, until two sizes were seen
+    double passes;                     // how many runs the step will need
+    double seconds_per_sphere = 5e-7;  // of one pass: a guess until two sizes were seen
   };
   explicit Progress(std::vector<Step> steps);
   ~Progress();
@@ -27,18 +27,18 @@ class Progress {
 
   void show(std::size_t step, std::string_view what);
   void note(std::string_view line);
-  /// What a step has cost so far; `share` of it is done.
+  /// Notes the time that a step has taken so far; `share` of it is done.
   void learn(std::size_t step, double seconds, double share);
   [[nodiscard]] double seconds_left() const;
 
  private:
-  /// A pass over so many spheres took so long.
+  /// The time of a pass over that many spheres.
   struct Seen {
     double spheres;
     double seconds;
   };
   /// Small scenes show what a pass of any size costs (a process is started, short runs are
-  /// repeated), large ones what a sphere costs.
+  /// repeated); large ones show what a sphere costs.
   struct Sizes {
     Seen smallest;
     Seen largest;

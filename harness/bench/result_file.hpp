@@ -7,20 +7,20 @@
 
 namespace octocell::bench {
 
-/// Where a bench writes its JSON, whole each time.
+/// The file to which a bench writes its JSON, always as a whole.
 class ResultFile {
  public:
   explicit ResultFile(std::string path) : path_(std::move(path)) {}
 
   [[nodiscard]] const std::string& path() const { return path_; }
 
-  /// Makes the folder of the file if there is none; require_writable() says what went wrong.
+  /// Makes the file's folder if there is none; require_writable() reports what went wrong.
   void make_folder() const;
 
-  /// Throws InputError if write() would have no chance; leaves everything as it was.
+  /// Throws InputError if write() would certainly fail; changes nothing.
   void require_writable() const;
 
-  /// Atomic: a temporary file beside the target, then a rename. Throws InputError.
+  /// Writes atomically: a temporary file beside the target, then a rename. Throws InputError.
   void write(const nlohmann::ordered_json& document) const;
 
  private:

@@ -55,7 +55,7 @@ void add_answer(Json& json, const RowSpec& row, const RowResult& result) {
       row.how.is_baseline() ? Json() : unless_skipped(result.counts.uncertain_pairs);
 }
 
-/// What was chosen for the scene, and what was left out.
+/// Returns what was chosen for the scene, and what was left out.
 Json plan_of(const RowResult& result) {
   Json skips = Json::array();
   const Skips left_out = result.plan.taken.either(result.counts.used);

@@ -9,8 +9,8 @@
 
 namespace octocell::bench {
 
-/// The JSON that reports/ reads (docs/measuring.md describes the fields). It is written whole after
-/// every group, so that an interrupted run keeps what it has.
+/// The JSON that reports/ reads (docs/measuring.md describes its fields). It is written as a whole
+/// after every group, so that an interrupted run keeps its results.
 class Results {
  public:
   Results(std::string path, nlohmann::ordered_json context);
@@ -19,7 +19,7 @@ class Results {
   void add_row(const Group& group, const RowSpec& row, const RowResult& result);
   void finish() { document_["context"]["finished"] = true; }
 
-  /// As ResultFile's.
+  /// See ResultFile.
   void make_folder() const { file_.make_folder(); }
   void require_writable() const { file_.require_writable(); }
   void write() const { file_.write(document_); }

@@ -74,7 +74,7 @@ void RowRunner::judge(std::size_t frame) {
   if (frame == 0) result_.digest = digest;
   const bool is_new = result_.checksums[frame].insert(digest.checksum).second;
   if (digest == subject_.digests[frame] || !is_new) return;
-  // A wrong answer shows what is wrong with it; that takes the exact pairs of this very frame.
+  // To show what is wrong with an answer, the exact pairs of this frame are needed.
   const std::vector<Pair> truth =
       frame == 0 ? subject_.truth : reference::exact_pairs(subject_.frames[frame], subject_.flags);
   result_.difference = reference::compare(finder_->download(), truth, subject_.frames[frame]);

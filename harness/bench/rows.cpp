@@ -21,7 +21,8 @@ static_assert(std::size(kFromTextToPlan) == kSkipCount);
 
 constexpr std::string_view kFastBaselines[] = {"fcl_dynamic_aabb_tree_morton",
                                                "fcl_dynamic_aabb_tree_array_morton", "bullet_dbvt"};
-// Sweeps along one axis, one list for all, or cells in lists: quadratic, or nearly.
+// These sweep along one axis, use one list for all, or put cells in lists: time is quadratic, or
+// nearly.
 constexpr std::string_view kSlowBaselines[] = {
     "fcl_sap",   "fcl_ssap",          "fcl_interval_tree",    "fcl_spatial_hashing",
     "fcl_naive", "bullet_axis_sweep", "bullet_axis_sweep_32", "bullet_simple"};
@@ -61,8 +62,8 @@ void add_without(std::vector<RowSpec>& rows, RowSpec row, Skip skip) {
   rows.push_back(std::move(row));
 }
 
-/// A planned row with each skip alone forbidden, with all, and with the first few allowed: from a
-/// pipeline that leaves nothing out to the planned one, step by step.
+/// Adds a planned row with each skip forbidden alone, with all forbidden, and with the first few
+/// allowed: step by step from a pipeline that leaves nothing out to the planned one.
 void add_ablation(std::vector<RowSpec>& rows, const RowSpec& planned) {
   const auto add = [&](std::string name, Skips allowed) {
     RowSpec row = planned;
@@ -90,14 +91,14 @@ void add_ablation(std::vector<RowSpec>& rows, const RowSpec& planned) {
 
 bool has_predicates(Rows rows) { return rows == Rows::error || rows == Rows::precision; }
 
-/// What may answer at all.
+/// Returns all implementations that rows can choose from.
 std::vector<Implementation> candidates_for(Rows rows, std::string_view backend) {
   std::vector<Implementation> all = implementations(backend);
   if (has_predicates(rows)) std::ranges::copy(other_predicates(backend), std::back_inserter(all));
   return all;
 }
 
-/// A planned row whose frames take nothing over from the last.
+/// Returns a planned row whose frames reuse nothing from the last.
 RowSpec rebuilt(RowSpec row) {
   row.skips = "rebuilt";
   row.allowed = Skips::all().without(Skip::unchanged).without(Skip::few_movers).without(Skip::skin);

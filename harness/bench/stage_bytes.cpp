@@ -12,7 +12,8 @@ std::map<Stage, std::uint64_t> stage_bytes(Method method, std::uint64_t spheres,
   constexpr std::uint64_t kEntryBytes = 8;  // a cell id and its object
   const std::uint64_t scene = spheres * sizeof(Sphere);
   const std::uint64_t entries = counts.ids * kEntryBytes;
-  const std::uint64_t sure_pairs = counts.pairs * sizeof(Pair);  // resolve adds a few of them
+  const std::uint64_t sure_pairs = counts.pairs * sizeof(Pair);  // includes the few that resolve
+                                                                 // adds
   std::map<Stage, std::uint64_t> bytes = {
       {Stage::bounds, scene},
       {Stage::pair_tests, scene + sure_pairs},
@@ -21,7 +22,7 @@ std::map<Stage, std::uint64_t> stage_bytes(Method method, std::uint64_t spheres,
   bytes[Stage::cell_ids] = scene + entries;
   bytes[Stage::sort] = 2 * entries;
   bytes[Stage::cell_index] = counts.ids * kIdBytes;
-  if (method == Method::half_shell) {  // the spheres are brought into order, then read in it
+  if (method == Method::half_shell) {  // the spheres are put in order, then read in that order
     bytes[Stage::cell_index] = entries + 2 * scene;
     bytes[Stage::pair_tests] = scene + counts.ids * kIdBytes + sure_pairs;
     return bytes;

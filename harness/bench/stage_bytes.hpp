@@ -9,9 +9,9 @@
 
 namespace octocell::bench {
 
-/// The least that each stage of a method must move through memory for what it met: every input
-/// read once, every output written once, nothing twice. Against its time, how near a stage comes
-/// to the bandwidth of a copy.
+/// Returns the least bytes that each stage of a method must move for these counts: every input is
+/// read once, every output is written once. Together with the stage's time, this shows how close it
+/// comes to the bandwidth of a copy.
 std::map<Stage, std::uint64_t> stage_bytes(Method method, std::uint64_t spheres,
                                            const Counts& counts);
 

@@ -39,7 +39,8 @@ void StaticRow::verify_or_throw(double min_time_ms) {
 
 StageTimes StaticRow::run_cold(Marks marks) {
   finder_.reset();
-  malloc_trim(0);  // what earlier rows freed goes back, so that every row meets untouched pages
+  malloc_trim(0);  // returns memory that earlier rows freed, so that every row starts with
+                   // untouched pages
   HostClock whole(Marks::off);
   whole.start();
   finder_ = row_.how.backend->create();
@@ -90,7 +91,7 @@ void StaticRow::measure(const std::string& name) {
   result_.total_ms.push_back(
       average_ms(name, result_.iterations, [this] { return run_once(Marks::off).total_ms; }));
   judge(0);
-  // A cold run of a baseline takes long; one with marks is enough to show its stages.
+  // A cold run of a baseline takes long; a single one with marks is enough to show its stages.
   if (has_stage_times(row_.run) && (row_.run != Run::cold || result_.stage_ms.empty())) {
     record_stages(run_once(Marks::on));
   }

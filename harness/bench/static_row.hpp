@@ -7,7 +7,7 @@
 
 namespace octocell::bench {
 
-/// The same scene again and again: cold, warm, or updated in place.
+/// Runs the same scene again and again: cold, warm, or updated in place.
 class StaticRow final : public RowRunner {
  public:
   using RowRunner::RowRunner;

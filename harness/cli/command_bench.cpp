@@ -15,7 +15,7 @@ namespace {
 void add_memory_child(CLI::App& app, Command& command) {
   auto o = std::make_shared<bench::MemoryOptions>();
   CLI::App* sub = app.add_subcommand("measure-memory", "One run for the bench's memory column");
-  sub->group("");  // not in the help: the bench starts it
+  sub->group("");  // hidden from the help: only the bench calls it
   sub->add_option("SCENE", o->scene)->required();
   sub->add_option("--flags", o->flags);
   sub->add_flag("--round-input", o->round_input);

@@ -48,17 +48,17 @@ struct Verdict {
 struct Limits {
   int threads;
   std::uint64_t candidates;
-  std::chrono::duration<double> time;  // of a baseline
+  std::chrono::duration<double> time;  // for a baseline
 };
 
 struct Found {
   Counts counts;
-  std::span<const Pair> pairs;  // that one of these two holds
+  std::span<const Pair> pairs;  // stored in one of the two above
   std::unique_ptr<PairFinder> finder = {};
   std::vector<Pair> received = {};
 };
 
-/// "12 (3.1 per million, deepest 0.02 of r1 + r2)", "0"
+/// Returns for example "12 (3.1 per million, deepest 0.02 of r1 + r2)", or "0".
 std::string wrong_pairs(std::uint64_t count, std::size_t true_pairs, std::string_view worst_name,
                         const std::optional<double>& worst) {
   if (count == 0) return "0";
@@ -82,7 +82,7 @@ Verdict judge(const Implementation& how, const reference::Comparison& difference
   const std::string losses = text_of(difference, true_pairs);
   if (how.negative_control())
     return {Grade::negative_control, losses + " (a negative control: not counted)"};
-  // A library may lose pairs; what it makes up would be ours, for we test its candidates.
+  // A library may lose pairs; but false pairs would be our fault, because we test its candidates.
   if (how.has_known_issues() && difference.only_missed()) {
     return {Grade::known_issue, fmt::format("wrong: {} (a known issue of the library: {})", losses,
                                             how.backend->known_issues)};
@@ -90,13 +90,13 @@ Verdict judge(const Implementation& how, const reference::Comparison& difference
   return {Grade::wrong, losses};
 }
 
-/// Baselines run in a process of their own: some crash or never end on scenes they were not made
-/// for.
+/// Runs baselines in a process of their own: some crash or never end on scenes that they were not
+/// made for.
 Found find(const Implementation& how, const Scene& scene, const PlanOptions& options,
            const Limits& limits) {
   if (how.is_baseline()) {
     IsolatedAnswer answer = find_isolated(how.backend->create, scene.view(), options, limits.time);
-    const std::span<const Pair> pairs = answer.pairs;  // they stay where they are
+    const std::span<const Pair> pairs = answer.pairs;  // moving the answer does not move the pairs
     return {std::move(answer.counts), pairs, nullptr, std::move(answer.pairs)};
   }
   std::unique_ptr<PairFinder> finder = how.backend->create();

@@ -34,7 +34,7 @@ struct Options {
   bool json = false;
 };
 
-/// A finder that stands, with one plan.
+/// A finder with one plan, ready to run.
 class Candidate {
  public:
   Candidate(const BackendInfo& backend, SceneView scene, const PlanOptions& options)
@@ -55,14 +55,14 @@ class Candidate {
   std::vector<double> times_;
 };
 
-/// Median over the rounds of what is saved, as a part of the time without the skip.
+/// Returns the median over the rounds of the part of the time that a skip saves.
 double saving(const std::vector<double>& with, const std::vector<double>& without) {
   std::vector<double> parts;
   for (std::size_t k = 0; k < with.size(); ++k) parts.push_back(1.0 - with[k] / without[k]);
   return median(std::move(parts));
 }
 
-/// Times the plan beside one without each skip that it takes, in turn.
+/// Times the plan, and in turn a plan without each skip that it takes.
 void analyze(Explanation& explanation, Candidate& planned, const BackendInfo& backend,
              SceneView scene, const PlanOptions& options) {
   std::vector<std::pair<Decision*, std::unique_ptr<Candidate>>> rivals;

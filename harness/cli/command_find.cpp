@@ -179,7 +179,7 @@ void check_outputs(const Options& options) {
   if (options.depth) require_savable_list(*options.depth);
 }
 
-/// Writes what is asked for. Depths follow from the pairs alone.
+/// Writes what the options request. Depths are computed from the pairs.
 std::optional<reference::DepthErrors> use_pairs(const Options& options, const Scene& scene,
                                                 PairFinder& finder, const Outcome& outcome) {
   if (!options.output && !options.depth && !options.depth_check) return std::nullopt;
@@ -190,7 +190,7 @@ std::optional<reference::DepthErrors> use_pairs(const Options& options, const Sc
     save_pairs(*options.output, pairs);
   }
   if (!options.depth_check) return std::nullopt;
-  constexpr double kBytesPerDepth = sizeof(float) + sizeof(double);  // and its error
+  constexpr double kBytesPerDepth = sizeof(float) + sizeof(double);  // a depth and its error
   require_memory(kBytesPerDepth * static_cast<double>(pairs.size()), "--depth-check");
   return reference::depth_errors(penetration_depths(scene.spheres, pairs), pairs, scene.spheres);
 }

@@ -24,7 +24,7 @@ struct Options {
   bool round_input = false;
 };
 
-/// Before anything is read or made.
+/// Runs before anything is read or made.
 void check_files(const Options& options) {
   NamedFiles files;
   files.read_scene(options.scene, options.flags);

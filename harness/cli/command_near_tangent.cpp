@@ -31,7 +31,7 @@ struct Options {
   std::string output;
 };
 
-/// Pairs are tried until so many were near-tangent pairs; parts are so large that a device is kept
+/// Tries pairs until enough of them were near-tangent pairs. Parts are large enough to keep a GPU
 /// busy.
 Tally try_family(Family family, const Options& options) {
   constexpr std::uint64_t kPart = 1 << 26;

@@ -53,7 +53,8 @@ Limits limits_for(Size size, const Options& options) {
           .repetitions = pick(3, 20, 100)};
 }
 
-/// Whatever can run here and is not wrong by intent; "ours" leaves the libraries out.
+/// Returns everything that can run here and is not wrong by intent; "ours" leaves the libraries
+/// out.
 std::vector<Implementation> judged(const std::string& backend) {
   const std::string of = backend == "ours" ? "all" : backend;
   std::vector<Implementation> list = implementations(of);

@@ -7,17 +7,17 @@
 
 namespace octocell::cli {
 
-/// What main() runs after parsing: the chosen command; returns the exit code.
+/// The chosen command, which main() runs after parsing; returns the exit code.
 using Command = std::function<int()>;
 
-/// Each adds its subcommand to the application; when it is chosen, `command` is set.
+/// Each function adds its subcommand to the application. If the user chooses it, `command` is set.
 void add_list(CLI::App& app, Command& command);
 void add_find(CLI::App& app, Command& command);
 void add_explain(CLI::App& app, Command& command);
 void add_generate(CLI::App& app, Command& command);
 
-/// Those below, which need FCL, Bullet, GMP and Google Benchmark; or, in a build without, their
-/// names and why they are missing.
+/// Adds the commands below, which need FCL, Bullet, GMP and Google Benchmark. A build without these
+/// adds their names and the reason why they are missing.
 void add_developer_commands(CLI::App& app, Command& command);
 void add_check(CLI::App& app, Command& command);
 void add_bench(CLI::App& app, Command& command);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// In a build with OCTOCELL_DEVELOPER=OFF: the names are known, and say why they are not there.
+// For a build with OCTOCELL_DEVELOPER=OFF: the names are known, but only report why they are
+// missing.
 #include <fmt/format.h>
 
 #include <string>

@@ -21,7 +21,7 @@ bool is_leaving = false;
 void at_exit() {
   if (is_leaving) return;
   std::fflush(nullptr);
-  _exit(kExitBadInput);  // the library has said why
+  _exit(kExitBadInput);  // the library has already printed the reason
 }
 
 [[noreturn]] void at_terminate() {

@@ -28,7 +28,7 @@ int require_output(int exit_code) {
   return complain_of_output();
 }
 
-/// CLI11 says only that a command is missing; this says which word is none.
+/// CLI11 only says that a command is missing; this adds which word is not a command.
 std::string describe(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv) {
   const bool names_a_command = argc > 1 && argv[1][0] != '-';
   if (error.get_name() != "RequiredError" || !names_a_command) return error.what();
@@ -71,7 +71,7 @@ int run(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return cli::complain("not enough memory for this scene", cli::kExitBadInput);
   } catch (const std::exception& error) {
-    // Long output fails on the way, in fmt's words, not at the end.
+    // Long output fails while it is written, with fmt's message, not at the end.
     if (std::ferror(stdout) != 0) return complain_of_output();
     return cli::complain(error.what(), cli::kExitBadInput);
   }

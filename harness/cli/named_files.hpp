@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The files of a command line. Each command names what it reads and what it writes before it
-// begins, so that nothing is computed for a file that cannot be written, and no input is lost.
+// The files of a command line. Each command lists what it reads and writes before it begins. So
+// nothing is computed for a file that cannot be written, and no input is lost.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ class NamedFiles {
   void write(std::string_view option, const std::optional<std::string>& path) {
     if (path && !path->empty()) outputs_.push_back({option, *path});
   }
-  /// Throws InputError where writing would lose a file.
+  /// Throws InputError if writing would lose a file.
   void require_separate() const { require_separate_files(inputs_, outputs_); }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names on the command line, turned into what they stand for.
+// Converts names on the command line.
 #pragma once
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@
 
 namespace octocell::cli {
 
-/// The enumerator of that name. Throws InputError listing what is known.
+/// Returns the enumerator of that name. Throws InputError that lists the known names.
 template <typename Enum>
 Enum enumerator_named(std::string_view what, std::string_view name,
                       std::span<const std::string_view> names) {
@@ -34,14 +34,14 @@ Enum enumerator_named(std::string_view what, std::string_view name,
   return static_cast<Enum>(found - names.begin());
 }
 
-/// For commands that a backend's absence ends. Throws LimitError with the reason.
+/// For commands that cannot work without the backend. Throws LimitError with the reason.
 inline void require_available(const BackendInfo& backend) {
   if (const auto reason = backend.why_unavailable()) {
     throw LimitError(fmt::format("{} cannot run here: {}", backend.name, *reason));
   }
 }
 
-/// None: the planner chooses.
+/// Returns none if the planner chooses.
 inline std::optional<Method> method_or_planned(std::string_view name) {
   if (name.empty() || name == "planned") return std::nullopt;
   return enumerator_named<Method>("method", name, kMethodNames);
@@ -50,7 +50,7 @@ inline Rule rule_named(std::string_view name) {
   return enumerator_named<Rule>("rule", name, kRuleNames);
 }
 
-/// One that the backend has. Throws InputError listing those.
+/// Returns a predicate that the backend has. Throws InputError that lists those.
 inline Predicate predicate_named(std::string_view name, const BackendInfo& backend) {
   const auto predicate = enumerator_named<Predicate>("predicate", name, kPredicateNames);
   if (std::ranges::find(backend.predicates, predicate) != backend.predicates.end()) {
@@ -79,7 +79,7 @@ inline Skips skips_named(const std::vector<std::string>& names) {
   return skips;
 }
 
-/// Flags --no-skip and --force.
+/// Adds the flags --no-skip and --force.
 inline void add_skip_options(CLI::App& sub, std::vector<std::string>& no_skip,
                              std::vector<std::string>& force) {
   sub.add_option("--no-skip", no_skip, "Do not leave out what this skip would (repeatable)");
@@ -99,7 +99,7 @@ inline PlanOptions with_skips(PlanOptions options, const std::vector<std::string
   return options;
 }
 
-/// Of the skips that are forced, those that only the data can allow. Throws LimitError.
+/// Throws LimitError if a forced skip that depends on the data was not used.
 inline void require_used(Skips forced, Skips used) {
   for (std::size_t k = 0; k < kSkipCount; ++k) {
     const auto skip = static_cast<Skip>(k);
@@ -119,7 +119,7 @@ inline constexpr const char* kRoundInputHelp =
 
 inline constexpr int kMaxThreads = 1024;
 
-/// 0 stands for all hardware threads.
+/// Returns the number of threads; 0 means all hardware threads.
 inline int thread_count(int asked) {
   if (asked < 0 || asked > kMaxThreads) {
     throw InputError(
@@ -128,7 +128,7 @@ inline int thread_count(int asked) {
   return asked != 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// Says on stderr, once, if a run had fewer threads than it was asked to have.
+/// Prints once on stderr if a run had fewer threads than requested.
 inline void say_if_threads_lack(const Plan& plan, const Counts& counts) {
   static bool is_said = false;
   if (is_said || counts.threads == 0 || counts.threads >= plan.threads) return;

@@ -37,7 +37,7 @@ inline void add_own_choices(CLI::App& sub, OwnChoices& own) {
   add_skip_options(sub, own.no_skip, own.force);
 }
 
-/// Gives the implementation its method and rule. Throws InputError where they do not go together.
+/// Sets the implementation's method and rule. Throws InputError if they do not fit together.
 inline void choose_method(Implementation& chosen, const OwnChoices& own) {
   chosen.method = method_or_planned(own.method);
   if (!own.rule.empty()) chosen.rule = rule_named(own.rule);

@@ -35,7 +35,7 @@ struct StdSort {
   void operator()(std::vector<std::uint64_t>& all) const { std::sort(all.begin(), all.end()); }
 };
 
-/// By the key alone: a stable sort needs no help from the value.
+/// Compares only keys: a stable sort needs no help from the value.
 struct StdStableSort {
   void operator()(std::vector<std::uint64_t>& all) const {
     std::stable_sort(all.begin(), all.end(),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sorts that are compared, each behind one interface: arrays of keys and values in, sorted
-// arrays of keys and values out.
+// The sorts that are compared, behind one interface: arrays of keys and values in, sorted arrays of
+// keys and values out.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct PairArrays {
   std::vector<std::uint32_t> values;
 };
 
-/// What every sort of a case works in: allocated and touched before anything is timed.
+/// The memory in which every sort of a case works; allocated and touched before anything is timed.
 struct Workspace {
   explicit Workspace(std::size_t n) : front{column(n), column(n)}, back(front), packed(n) {}
 
@@ -32,24 +32,24 @@ struct Workspace {
 class Sorter {
  public:
   virtual ~Sorter() = default;
-  /// The timed part. Sorts `front` by its keys, all below 2^bits; returns where the result lies.
+  /// Sorts `front` by its keys, all below 2^bits; returns the result. Only this is timed.
   virtual const PairArrays& sort(Workspace& work, int bits) = 0;
 };
 
 struct Algorithm {
   std::string_view name;
-  bool stable;    // claims that equal keys keep their order
-  bool packed;    // sorts one array, so that its time holds packing and unpacking
-  bool parallel;  // has a row with several threads, too
+  bool stable;    // promises that equal keys keep their order
+  bool packed;    // sorts one array, so its time includes packing and unpacking
+  bool parallel;  // also has a row with several threads
   bool slow;      // a comparison sort
   std::unique_ptr<Sorter> (*create)(int threads);  // null: not in this build
   std::string_view why_missing = {};
 };
 
-/// All of them, also those that this build lacks, in the order of every table.
+/// Returns all sorts, including those that this build lacks, in the order of every table.
 const std::vector<Algorithm>& sort_algorithms();
 
-/// Name and version of the libraries behind them; null for one that this build lacks.
+/// Name and version of a sorting library; none if this build lacks it.
 struct LibraryVersion {
   std::string_view name;
   std::optional<std::string> version;

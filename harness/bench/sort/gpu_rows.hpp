@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rows of one case on the device.
+// The rows of one case on the GPU.
 #pragma once
 
 #include <cstddef>
@@ -14,18 +14,18 @@
 
 namespace octocell::bench {
 
-/// "sort/algorithm:cub/n:4096/bits:8/order:random/threads:0"
+/// Returns a name such as "sort/algorithm:cub/n:4096/bits:8/order:random/threads:0".
 std::string gpu_row_name(std::size_t algorithm, const SortCase& what);
 
 class GpuRows {
  public:
-  /// `algorithms`: places in gpu_algorithms(). Makes the input and brings it to the device.
+  /// Makes the input and copies it to the GPU. `algorithms` are indices into gpu_algorithms().
   GpuRows(const SortCase& what, const std::vector<std::size_t>& algorithms);
 
-  /// Sorts once with each. What is wrong or very slow is not measured.
+  /// Sorts once with each algorithm. Wrong or very slow ones are not measured.
   void verify();
 
-  /// Each row once, in an order that depends on the round.
+  /// Measures each row once, in an order that depends on the round.
   void measure(int round);
 
   [[nodiscard]] bool any_wrong() const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a sort on the device is right, found on the device and by other means than sorting.
+// Checks on the GPU, without sorting, whether a sort is right.
 #pragma once
 
 #include <cstdint>
@@ -7,13 +7,13 @@
 namespace octocell::bench {
 
 struct SortFaults {
-  unsigned long long foreign = 0;     // pairs that are not of the input
-  unsigned long long disordered = 0;  // pairs that are not behind the one before
+  unsigned long long foreign = 0;     // pairs that are not in the input
+  unsigned long long disordered = 0;  // pairs that are not greater than the one before
 };
 
 /// The input's values are 0, 1, 2, ..., so it holds the pair (key, value) if input_keys[value] is
-/// the key. If besides each pair is greater than the one before, first by key, then by value, then
-/// no value stands twice: no faults means that the output is the one stable answer.
+/// the key. If also each pair is greater than the one before, first by key, then by value, then no
+/// value occurs twice. So without faults the output is the only stable answer.
 static __global__ void find_sort_faults_kernel(const std::uint32_t* input_keys,
                                                const std::uint32_t* keys,
                                                const std::uint32_t* values, std::uint32_t count,

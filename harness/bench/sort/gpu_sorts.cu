@@ -32,15 +32,15 @@ class Stream {
   cudaStream_t stream_ = nullptr;
 };
 
-/// Keeps the device busy until the host has queued what is timed, so that the time is the device's
-/// and not that of the host's calls.
-constexpr long long kHoldCycles = 600'000;  // 0.3 ms or so
+/// Keeps the GPU busy until the host has queued the work that is timed. So the time is that of the
+/// GPU, not of the host's calls.
+constexpr long long kHoldCycles = 600'000;  // about 0.3 ms
 __global__ void hold_kernel() {
   const long long begin = clock64();
   while (clock64() - begin < kHoldCycles) continue;
 }
 
-/// Memory of a side, and the arrays in it.
+/// The memory of one side, and the arrays in it.
 struct Columns {
   explicit Columns(std::uint64_t n) {
     memory.allocate(cuda_custom::words_of_side(n));
@@ -133,7 +133,7 @@ class Case final : public GpuSortCase {
   Columns back_;
   DeviceArray<std::uint64_t> count_;
   DeviceArray<SortFaults> faults_;
-  DeviceArray<char> scratch_;  // of the sort that needs most so far
+  DeviceArray<char> scratch_;  // for the sort that has needed most so far
 };
 
 }  // namespace

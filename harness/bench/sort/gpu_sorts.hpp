@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sorts on the device, as the benchmark sees them. CMake compiles gpu_sorts.cu, or
-// gpu_sorts_missing.cpp where there is no nvcc.
+// The sorts on the GPU, as the benchmark sees them. CMake compiles gpu_sorts.cu; without nvcc,
+// gpu_sorts_missing.cpp.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace octocell::bench {
 
-/// The ladder, then CUB.
+/// Returns the variants of our sort, then CUB.
 const std::vector<std::string_view>& gpu_algorithms();
 
 std::string cub_version();
@@ -22,15 +22,16 @@ struct GpuRun {
   std::optional<std::string> fault;
 };
 
-/// One input on the device.
+/// One input on the GPU.
 class GpuSortCase {
  public:
   virtual ~GpuSortCase() = default;
-  /// Restores the input, sorts it, checks the answer. The time is that of the sort on the device,
-  /// between two events; allocation, restoring and checking are outside.
+  /// Restores the input, sorts it and checks the answer. Only the sort on the GPU is timed, between
+  /// two events; allocating, restoring and checking are not.
   virtual GpuRun run(std::size_t algorithm) = 0;
 };
-/// Keys are below 2^bits; values will be 0, 1, 2, ... Throws LimitError if the device is too small.
+/// Makes a case. Keys must be below 2^bits; values will be 0, 1, 2, ... Throws LimitError if the
+/// GPU is too small.
 std::unique_ptr<GpuSortCase> make_gpu_sort_case(const std::vector<std::uint32_t>& keys, int bits);
 
 }  // namespace octocell::bench

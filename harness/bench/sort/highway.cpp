@@ -16,7 +16,7 @@ struct Vqsort {
   void operator()(std::vector<std::uint64_t>& all) const {
     sorter(all.data(), all.size(), hwy::SortAscending());
   }
-  hwy::Sorter sorter;  // its buffer serves many sorts
+  hwy::Sorter sorter;  // its buffer is used for many sorts
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ inline void unpack(Workspace& work, std::size_t begin, std::size_t end) {
   }
 }
 
-/// Packs, sorts one array of 64-bit numbers with Sort, unpacks; on one thread.
+/// Packs, sorts one array of 64-bit numbers with Sort, and unpacks; on one thread.
 template <typename Sort>
 class PackedSorter final : public Sorter {
  public:

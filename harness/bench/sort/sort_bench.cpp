@@ -32,16 +32,16 @@ constexpr int kExitWrongAnswer = 1;
 constexpr int kExitInterrupted = 130;
 constexpr double kMinTimeMs = 3.0;  // a measurement repeats short sorts for at least this long
 
-// Progress counts in spheres; to sort one pair costs far less than to find those of one sphere.
+// Progress counts in spheres; sorting a pair costs much less than finding the pairs of a sphere.
 constexpr double kSpheresPerPair = 0.05;
 
-/// A case and its rows, before anything is run.
+/// A case and its rows, before any of them runs.
 struct PlannedCase {
   SortCase what;
   std::vector<SortRow> rows;
 };
 
-/// The same on the device: places in gpu_algorithms().
+/// The same for the GPU, with indices into gpu_algorithms().
 struct PlannedGpuCase {
   SortCase what;
   std::vector<std::size_t> algorithms;
@@ -87,7 +87,7 @@ std::vector<PlannedGpuCase> plan_gpu_cases(const SortBenchOptions& options) {
   return planned;
 }
 
-/// What is wrong with the options is said here, before a file is touched.
+/// Reports what is wrong with the options before any file is touched.
 void require_sound(const SortBenchOptions& options) {
   for (const std::string_view known : {"cpu", "gpu", "all"}) {
     if (options.device == known) return;
@@ -95,11 +95,11 @@ void require_sound(const SortBenchOptions& options) {
   throw InputError(fmt::format("unknown device '{}'; known: cpu, gpu, all", options.device));
 }
 
-/// Input, two pairs of arrays, one packed array, and what std::stable_sort asks for.
+/// For the input, two pairs of arrays, one packed array, and the memory of std::stable_sort.
 constexpr double kBytesPerPair = 40.0;
 
-/// Throws LimitError here and now, instead of leaving the matter to the kernel, which would end
-/// the program in the middle.
+/// Throws LimitError before the work starts. Otherwise the kernel might kill the program in the
+/// middle.
 void require_memory(const std::vector<PlannedCase>& cases) {
   if (cases.empty()) return;
   const double n = cases.back().what.n;  // the largest comes last
@@ -114,7 +114,7 @@ std::optional<std::string> why_skipped(const SortRow& row, const SortCase& what)
   return std::nullopt;
 }
 
-/// A row while its case runs: its place in the whole bench, and what runs it.
+/// A row while its case runs: its place in the whole bench, and its runner.
 struct ActiveRow {
   std::size_t step;
   SortRunner runner;
@@ -170,7 +170,7 @@ class SortBench {
     return context;
   }
 
-  /// "gpu" is null where no row runs on one, and "gpu_reason" says why, unless that was asked for.
+  /// "gpu" is null if no row runs on one; "gpu_reason" says why, unless the caller excluded it.
   void describe_device(Json& context) const {
     context["gpu"] = Json();
     context["gpu_reason"] = Json();
@@ -188,7 +188,7 @@ class SortBench {
     std::vector<Progress::Step> steps;
     for (const auto& [what, rows] : cases_) {
       for (const SortRow& row : rows) {
-        // Short sorts are repeated: the time does not shrink with them.
+        // Short sorts are repeated, so the time does not shrink with their size.
         const double pairs = why_skipped(row, what) ? 0.0 : std::max(what.n, 1u << 17);
         steps.push_back({label(row), pairs * kSpheresPerPair, 1.0 + rounds_});
       }
@@ -214,14 +214,14 @@ class SortBench {
       step(planned.what, row, "checking", 1.0, [&] { row.runner.verify(kMinTimeMs); });
     }
     measure_rounds(planned.what, rows);
-    if (interrupted()) return;  // a case counts when it is whole
+    if (interrupted()) return;  // only a complete case counts
     for (const ActiveRow& row : rows) {
       any_wrong_ = any_wrong_ || row.runner.wrong();
       document_["rows"].push_back(row.runner.json());
     }
   }
 
-  /// After the others, so that the device's threads and copies disturb none of them.
+  /// Runs after the other cases, so that the GPU's threads and copies disturb none of them.
   void run_gpu_cases() {
     const Json& reason = document_["context"]["gpu_reason"];
     if (!reason.is_null()) {
@@ -243,13 +243,13 @@ class SortBench {
     GpuRows rows(planned.what, planned.algorithms);
     rows.verify();
     for (int round = 0; round < gpu_rounds() && !interrupted(); ++round) rows.measure(round);
-    if (interrupted()) return;  // a case counts when it is whole
+    if (interrupted()) return;  // only a complete case counts
     any_wrong_ = any_wrong_ || rows.any_wrong();
     for (Json& row : rows.json()) document_["rows"].push_back(std::move(row));
     file_.write(document_);
   }
 
-  /// Each round measures every row once, in an order of its own.
+  /// Each round measures every row once; the order differs from round to round.
   void measure_rounds(const SortCase& what, std::vector<ActiveRow>& rows) {
     std::vector<ActiveRow*> order;
     for (ActiveRow& row : rows) order.push_back(&row);
@@ -264,7 +264,7 @@ class SortBench {
     }
   }
 
-  /// Runs one piece of work unless Ctrl-C came, between progress and progress.
+  /// Runs one piece of work, with progress before and after, unless Ctrl-C came.
   template <typename Work>
   void step(const SortCase& what, const ActiveRow& row, std::string_view title, double passes,
             const Work& work) {

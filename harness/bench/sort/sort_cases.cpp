@@ -17,8 +17,9 @@ constexpr Order kOrders[] = {Order::random, Order::sorted, Order::reversed, Orde
                              Order::few_distinct};
 constexpr std::uint32_t kFewKeys = 16;
 
-/// Every width in random order; the other orders at the size where the figure shows them. Beyond
-/// 2^20 two widths, and no comparison sorts: each would take as long as all others together.
+/// Every width in random order; the other orders only at the size where the figure shows them.
+/// Above 2^20, two widths and no comparison sorts: each of those would take as long as all others
+/// together.
 std::vector<SortCase> quick_cases() {
   std::vector<SortCase> cases;
   for (int log = 12; log <= 20; log += 2) {
@@ -48,7 +49,7 @@ constexpr int kGpuBits[] = {8, 12, 17, 20, 24, 32};
 constexpr Order kGpuOrders[] = {Order::sorted, Order::constant, Order::few_distinct};
 constexpr std::uint32_t kGpuOrdersSize = 1u << 24;
 
-/// Two widths over all sizes, all widths at one size, all orders at that size.
+/// Two widths for all sizes, all widths at one size, all orders at that size.
 std::vector<SortCase> quick_gpu_cases() {
   std::vector<SortCase> cases;
   for (int log = 12; log <= 26; log += 2) {

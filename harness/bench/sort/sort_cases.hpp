@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is sorted: how many pairs, how wide the keys are, in what order they come.
+// What is sorted: how many pairs, how wide the keys are, and in which order.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ enum class Order : std::uint8_t {
   sorted,        // the same keys, ascending
   reversed,      // the same keys, descending
   constant,      // one key
-  few_distinct,  // sixteen keys, far apart, at random
+  few_distinct,  // sixteen keys, far apart, in random order
 };
 inline constexpr std::string_view kOrderNames[] = {"random", "sorted", "reversed", "constant",
                                                    "few_distinct"};
@@ -22,7 +22,7 @@ inline std::string_view name_of(Order order) {
   return kOrderNames[static_cast<std::size_t>(order)];
 }
 
-/// Rows of one case are interleaved with each other.
+/// The rows of one case are interleaved.
 struct SortCase {
   std::uint32_t n;
   int bits;  // keys are below 2^bits
@@ -30,13 +30,13 @@ struct SortCase {
   bool slow_rows = true;  // false: comparison sorts would take too long for this preset
 };
 
-/// Small ones first. Throws InputError for a preset that there is not.
+/// Returns the cases of a preset, small ones first. Throws InputError for an unknown preset.
 std::vector<SortCase> sort_cases(std::string_view preset);
 
-/// The same for the device, which sorts more in less time.
+/// Returns the cases for the GPU, which sorts more in less time.
 std::vector<SortCase> gpu_sort_cases(std::string_view preset);
 
-/// The same keys on every machine.
+/// Returns the keys of a case, the same on every machine.
 std::vector<std::uint32_t> make_keys(const SortCase& what);
 
 }  // namespace octocell::bench

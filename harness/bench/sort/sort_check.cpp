@@ -6,7 +6,7 @@
 namespace octocell::bench {
 namespace {
 
-/// splitmix64's finaliser: a bijection, so no two pairs count alike.
+/// The finaliser of splitmix64: a bijection, so different pairs give different numbers.
 std::uint64_t mix(std::uint64_t z) {
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;

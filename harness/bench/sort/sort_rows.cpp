@@ -44,7 +44,7 @@ SortRunner::SortRunner(const SortRow& row, SortSubject& subject, std::optional<s
 
 double SortRunner::sort_ms() {
   Workspace& work = subject_.work;
-  work.front.keys = subject_.keys;  // same size: copies, allocates nothing
+  work.front.keys = subject_.keys;  // same size: this copies and allocates nothing
   work.front.values = subject_.values;
   const auto begin = std::chrono::steady_clock::now();
   const PairArrays& sorted = sorter_->sort(work, subject_.what.bits);

@@ -20,18 +20,18 @@ struct SortRow {
   int threads;
 };
 
-/// On one thread each; those that can, on `threads` as well.
+/// Returns each sort on one thread; those that can use more, also on `threads`.
 std::vector<SortRow> sort_rows(int threads);
 
-/// "sort/algorithm:impl_cpu/n:4096/bits:8/order:random/threads:1"
+/// Returns a name such as "sort/algorithm:impl_cpu/n:4096/bits:8/order:random/threads:1".
 std::string row_name(const SortRow& row, const SortCase& what);
 
-/// What a row of the JSON says, besides its case.
+/// The fields of a row's JSON, without its case.
 struct SortReport {
   std::string name;
   std::string_view algorithm;
   std::string_view device;  // cpu or gpu
-  int threads;              // 0 on a gpu
+  int threads;              // 0 on a GPU
   bool stable;
   bool packed;
   std::uint64_t iterations;
@@ -41,7 +41,7 @@ struct SortReport {
 };
 nlohmann::ordered_json sort_row_json(const SortReport& row, const SortCase& what);
 
-/// The input of a case, and where its rows work.
+/// The input of a case, and the memory in which its rows work.
 struct SortSubject {
   explicit SortSubject(const SortCase& what);
 
@@ -52,17 +52,17 @@ struct SortSubject {
   Workspace work;
 };
 
-/// Runs one row of a case: first to see whether it is right, then round by round. Every answer is
-/// checked, outside the time.
+/// Runs one row of a case: first checks whether it is right, then measures it round by round. Every
+/// answer is checked, outside the timed part.
 class SortRunner {
  public:
-  /// `skipped`: why the row will not run, if it will not.
+  /// `skipped` says why the row will not run; none if it will.
   SortRunner(const SortRow& row, SortSubject& subject, std::optional<std::string> skipped);
 
-  /// One sort. Its time tells how often a measurement has to repeat it.
+  /// Sorts once. The time decides how often a measurement repeats it.
   void verify(double min_time_ms);
 
-  /// One measurement by Google Benchmark.
+  /// Measures once with Google Benchmark.
   void measure();
 
   [[nodiscard]] const SortRow& row() const { return row_; }
@@ -78,9 +78,9 @@ class SortRunner {
   SortSubject& subject_;
   std::unique_ptr<Sorter> sorter_;
   std::uint64_t iterations_ = 0;
-  std::vector<double> total_ms_;  // one a round
+  std::vector<double> total_ms_;  // one per round
   std::optional<std::string> skipped_;
-  std::optional<std::string> wrong_;  // what is
+  std::optional<std::string> wrong_;  // what is wrong
 };
 
 }  // namespace octocell::bench

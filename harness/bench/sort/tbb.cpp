@@ -21,7 +21,7 @@ namespace {
 class TbbParallelSort final : public Sorter {
  public:
   explicit TbbParallelSort(int threads) : arena_(threads) {
-    // The arena asks for threads, the control allows them beyond the number of cores.
+    // The arena requests threads; the control allows more of them than there are cores.
     if (threads > 1) allowed_.emplace(Control::max_allowed_parallelism, threads);
   }
 
