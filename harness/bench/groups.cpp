@@ -254,7 +254,7 @@ std::vector<Group> error_groups() {
 /// Returns the caller's scenes, in motion if the options say so.
 std::vector<Group> custom_groups(const BenchOptions& options) {
   if (options.flags && (options.scenes.size() != 1 || !options.trajectory.empty())) {
-    throw InputError("--flags are those of one scene: name that one, and nothing else");
+    throw InputError("--flags belongs to one scene: name exactly one, and no trajectory");
   }
   std::vector<Group> groups;
   for (const std::string& scene : options.scenes) {

@@ -99,7 +99,7 @@ int run_memory_child(const MemoryOptions& options) {
   const Outcome outcome =
       find_completely(*finder, scene.view(), row->plan_options(options.threads));
   const std::uint64_t peak = status_bytes("VmHWM");
-  if (before == 0 || peak == 0) throw LimitError("/proc/self/status does not tell memory here");
+  if (before == 0 || peak == 0) throw LimitError("/proc/self/status does not report memory here");
   fmt::print("{}\n", nlohmann::json{{"peak_bytes", peak - std::min(before, peak)},
                                     {"output_bytes", outcome.counts.pairs * sizeof(Pair)}}
                          .dump());

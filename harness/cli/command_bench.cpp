@@ -30,8 +30,7 @@ void add_bench(CLI::App& app, Command& command) {
   auto o = std::make_shared<bench::BenchOptions>();
   auto timeout = std::make_shared<double>(o->baseline_limit.count());
   CLI::App* sub = app.add_subcommand(
-      "bench",
-      "Time every implementation; Google Benchmark's flags (--benchmark_...) pass through");
+      "bench", "Time every implementation; Google Benchmark's flags (--benchmark_...) work, too");
   sub->add_option("SCENE", o->scenes, "Scenes to time instead of a preset's");
   sub->add_option("--flags", o->flags, kFlagsHelp);
   sub->add_flag("--round-input", o->round_input, kRoundInputHelp);
@@ -45,7 +44,7 @@ void add_bench(CLI::App& app, Command& command) {
   sub->add_option("-o,--output", o->output, "JSON to write (default reports/out/bench.json)");
   sub->add_option("--rounds", o->rounds, "Rounds of each group")->check(CLI::Range(1, 1000000));
   sub->add_option("--timeout", *timeout,
-                  "Seconds that a baseline may take to be tried (default 60)");
+                  "Time limit of a baseline's first run in seconds (default 60)");
   sub->add_flag("!--no-memory", o->memory, "Do not measure memory");
   sub->allow_extras();
   sub->callback([&command, o, timeout, sub] {

@@ -53,7 +53,7 @@ struct Limits {
 
 struct Found {
   Counts counts;
-  std::span<const Pair> pairs;  // stored in one of the two above
+  std::span<const Pair> pairs;  // stored in `finder` or in `received`
   std::unique_ptr<PairFinder> finder = {};
   std::vector<Pair> received = {};
 };
@@ -158,7 +158,7 @@ int check(const Options& options) {
   const std::vector<Implementation> rows = implementations(options.backend);
   const Limits limits = limits_of(options);
   if (options.flags && options.scenes.size() != 1) {
-    throw InputError("--flags are those of one scene: name that one");
+    throw InputError("--flags belongs to one scene: name exactly one");
   }
   int totals[5] = {};
   for (const std::string& argument : scenes_or_default(options)) {
@@ -186,14 +186,14 @@ void add_check(CLI::App& app, Command& command) {
   auto o = std::make_shared<Options>();
   CLI::App* sub =
       app.add_subcommand("check", "Compare every implementation with the exact pair set");
-  sub->add_option("SCENE", o->scenes, "Files or generators; none: every generator, small");
+  sub->add_option("SCENE", o->scenes, "Files or generators (default: every generator, small)");
   sub->add_option("--flags", o->flags, kFlagsHelp);
   sub->add_option("--backend", o->backend, "A backend, a baseline, or all");
   sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
   sub->add_option("--candidate-limit", o->candidate_limit,
                   "Skip a row that counts more candidate pairs than this");
-  sub->add_option("--timeout", o->timeout, "Seconds that a baseline may take (default 60)");
-  sub->add_flag("--strict", o->strict, "Exit with 1 for the known issues of libraries, too");
+  sub->add_option("--timeout", o->timeout, "Time limit of a baseline in seconds (default 60)");
+  sub->add_flag("--strict", o->strict, "Exit with 1 also for known issues of libraries");
   sub->callback([&command, o] { command = [o] { return check(*o); }; });
 }
 

@@ -142,13 +142,13 @@ int explain_scene(const Options& options) {
 void add_explain(CLI::App& app, Command& command) {
   auto o = std::make_shared<Options>();
   CLI::App* sub =
-      app.add_subcommand("explain", "Say what a scene needs, what it does not, and why");
+      app.add_subcommand("explain", "Explain what a scene needs, what it does not need, and why");
   sub->add_option("SCENE", o->scene, "A file (.npy, .csv, .pqr) or a generator: gas:n=1e5,seed=7")
       ->required();
   sub->add_option("--backend", o->backend, "A backend; see 'octocell list'");
   add_own_choices(*sub, o->own);
   sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
-  sub->add_flag("--analyze", o->analyze, "Time each skip against the same plan without it");
+  sub->add_flag("--analyze", o->analyze, "Measure how much time each skip saves");
   sub->add_flag("--json", o->json, "Print JSON");
   sub->callback([&command, o] { command = [o] { return explain_scene(*o); }; });
 }

@@ -161,9 +161,9 @@ void print_text(const Answer& answer) {
 
 void check_outputs(const Options& options) {
   if (options.output && options.output->empty())
-    throw InputError("cannot write --output: no file is named");
+    throw InputError("cannot write --output: the file name is empty");
   if (options.depth && options.depth->empty())
-    throw InputError("cannot write --depth: no file is named");
+    throw InputError("cannot write --depth: the file name is empty");
   if (options.count && options.output) {
     throw InputError("--count keeps no pairs, so there is nothing to write to --output");
   }
@@ -245,7 +245,7 @@ void add_find(CLI::App& app, Command& command) {
                   "Write how deep each pair overlaps: NPY, (M,) float32, in the pairs' order");
   sub->add_flag("--depth-check", o->depth_check,
                 "Compare the depths with exact ones; print their errors in ULP of float32");
-  sub->add_flag("--count", o->count, "Count and checksum only: needs no memory for pairs");
+  sub->add_flag("--count", o->count, "Print only count and checksum; needs no memory for pairs");
   sub->add_flag("--json", o->json, "Print JSON");
   sub->add_flag("--explain", o->explain, "Print the plan's decisions on stderr");
   sub->add_flag("--round-input", o->round_input, kRoundInputHelp);

@@ -34,7 +34,7 @@ void list_scenes() {
     fmt::print("  {:<12} {}\n", scene.name, scene.summary);
     list_parameters(scene.parameters);
   }
-  fmt::print("    every scene takes flags, too\n");
+  fmt::print("    every scene also takes flags:\n");
   list_parameters(flag_parameters());
 }
 

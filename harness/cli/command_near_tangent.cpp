@@ -100,9 +100,9 @@ int run(Options options) {
 void add_near_tangent(CLI::App& app, Command& command) {
   auto o = std::make_shared<Options>();
   CLI::App* sub = app.add_subcommand(
-      "near-tangent", "Try the exact test on pairs that nearly touch, against integers");
+      "near-tangent", "Compare the exact test with integers on pairs that nearly touch");
   sub->add_option("--pairs", o->pairs, "Near-tangent pairs of each family to try (default 1e6)");
-  sub->add_flag("--device", o->device, "On the GPU");
+  sub->add_flag("--device", o->device, "Run on the GPU");
   sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
   sub->add_option("-o,--output", o->output, "Write JSON");
   sub->callback([&command, o] { command = [o] { return run(*o); }; });

@@ -82,8 +82,8 @@ inline Skips skips_named(const std::vector<std::string>& names) {
 /// Adds the flags --no-skip and --force.
 inline void add_skip_options(CLI::App& sub, std::vector<std::string>& no_skip,
                              std::vector<std::string>& force) {
-  sub.add_option("--no-skip", no_skip, "Do not leave out what this skip would (repeatable)");
-  sub.add_option("--force", force, "Take this skip, or say why it is not possible (repeatable)");
+  sub.add_option("--no-skip", no_skip, "Forbid this skip (repeatable)");
+  sub.add_option("--force", force, "Force this skip, or fail with the reason (repeatable)");
 }
 inline PlanOptions with_skips(PlanOptions options, const std::vector<std::string>& no_skip,
                               const std::vector<std::string>& force) {
@@ -105,17 +105,17 @@ inline void require_used(Skips forced, Skips used) {
     const auto skip = static_cast<Skip>(k);
     if (!forced.has(skip) || is_planned(skip) || used.has(skip)) continue;
     throw LimitError(
-        fmt::format("skip {} cannot be forced here: it needs that {}, and that is not so",
+        fmt::format("skip {} cannot be forced here: the data do not allow it (needed: {})",
                     name_of(skip), kSkips[k].proof));
   }
 }
 
 inline constexpr const char* kFlagsHelp =
-    "NPY beside the scene, (N,): uint32 words of flags, or bool: which spheres are static";
+    "NPY file with flags, (N,): uint32 words, or bool: which spheres are static";
 
 inline constexpr const char* kRoundInputHelp =
-    "Accept a float64 NPY and round it to float32; of it and of generators, say which pairs that "
-    "changed";
+    "Accept a float64 NPY and round it to float32; report how rounding a file or a generator "
+    "changes the pairs";
 
 inline constexpr int kMaxThreads = 1024;
 
@@ -133,7 +133,7 @@ inline void say_if_threads_lack(const Plan& plan, const Counts& counts) {
   static bool is_said = false;
   if (is_said || counts.threads == 0 || counts.threads >= plan.threads) return;
   is_said = true;
-  fmt::print(stderr, "octocell: {} threads were asked for, the system gave {}\n", plan.threads,
+  fmt::print(stderr, "octocell: {} threads were requested, but the system gave {}\n", plan.threads,
              counts.threads);
 }
 

@@ -32,7 +32,7 @@ inline void add_own_choices(CLI::App& sub, OwnChoices& own) {
   sub.add_option("--method", own.method,
                  "planned (default: the planner chooses), home_phantom, half_shell or brute_force");
   sub.add_option("--rule", own.rule,
-                 "Of home_phantom: lowest_cell (default), chapter32 or as_written");
+                 "For home_phantom: lowest_cell (default), chapter32 or as_written");
   sub.add_option("--cell-side", own.cell_side, "Cell side in scene units, for rule lowest_cell");
   add_skip_options(sub, own.no_skip, own.force);
 }

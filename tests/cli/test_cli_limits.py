@@ -53,7 +53,7 @@ def test_fewer_threads_are_an_answer(
         command, SCENE, "--threads", 64, "--backend", backend, preexec_fn=few_processes.enter
     )
     assert result.rc == 0, result
-    assert result.stderr == "octocell: 64 threads were asked for, the system gave 3\n"
+    assert result.stderr == "octocell: 64 threads were requested, but the system gave 3\n"
 
 
 def test_threads_are_those_that_worked(octocell: Octocell, few_processes: ControlGroup) -> None:
