@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every reader of scene files on the same bytes: it gives valid spheres, or throws an InputError of
-// one line that begins with the path.
+// Runs every reader of scene files on the same bytes. It must return valid spheres, or throw an
+// InputError of one line that begins with the path.
 #include <fmt/format.h>
 #include <sys/mman.h>
 #include <unistd.h>

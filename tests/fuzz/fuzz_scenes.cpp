@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every backend of the host, method and correct rule against the oracle, on whatever scene.
+// Compares every host backend, method and correct rule with the reference on any scene.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -15,7 +15,8 @@
 namespace octocell::fuzz {
 namespace {
 
-/// Backends of ours that run here without a device; a negative control is wrong by intent.
+/// Returns our backends that run here without a GPU, without negative controls, which are wrong by
+/// intent.
 std::vector<Implementation> judged() {
   std::vector<Implementation> list = implementations();
   std::erase_if(list, [](const Implementation& how) {

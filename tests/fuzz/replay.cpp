@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs a fuzz target on the files of a folder: what was found once stays found.
+// Runs a fuzz target on the files of a folder, so that earlier findings are tested again.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
   for (const auto& entry : std::filesystem::directory_iterator(argv[1])) paths.push_back(entry);
   std::sort(paths.begin(), paths.end());
   for (const std::filesystem::path& path : paths) {
-    std::fprintf(stderr, "%s\n", path.filename().c_str());  // the last one is to blame
+    std::fprintf(stderr, "%s\n", path.filename().c_str());  // the last one printed is the cause
     std::ifstream file(path, std::ios::binary);
     const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
     const std::vector<std::uint8_t> data(bytes.begin(), bytes.end());

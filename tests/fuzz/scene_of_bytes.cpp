@@ -11,7 +11,7 @@
 namespace octocell::fuzz {
 namespace {
 
-/// Takes bytes from the front; zeros when there are no more.
+/// Takes bytes from the front; returns zeros when there are no more.
 class Reader {
  public:
   explicit Reader(std::span<const std::uint8_t> bytes) : rest_(bytes) {}
@@ -33,7 +33,7 @@ class Reader {
   std::span<const std::uint8_t> rest_;
 };
 
-/// Infinities and NaNs lose a bit of their exponent.
+/// Clears a bit of the exponent of infinities and NaNs, so that they become finite.
 float finite(std::uint32_t bits) {
   const bool is_finite = ((bits >> 23) & 0xffU) != 0xffU;
   return std::bit_cast<float>(is_finite ? bits : bits & ~(1U << 23));
@@ -49,7 +49,7 @@ float nudged(float value, int ulps) {
   return value;
 }
 
-/// What all spheres of a scene share: a length, and a place far from the origin or not.
+/// What all spheres of a scene share: a unit of length and an offset from the origin.
 struct Frame {
   double unit;
   double offset;
@@ -69,7 +69,7 @@ Sphere raw_bits(Reader& in, const Frame&) {
   return {x, y, z, std::fabs(finite(in.word()))};
 }
 
-/// The upper half of each float: any exponent, few digits.
+/// Sets only the upper half of each float: any exponent, few digits.
 Sphere half_words(Reader& in, const Frame&) {
   const auto number = [&in] {
     const std::uint32_t low = in.byte();
@@ -81,7 +81,7 @@ Sphere half_words(Reader& in, const Frame&) {
   return {x, y, z, std::fabs(number())};
 }
 
-/// Whole numbers of units: ties everywhere.
+/// Uses whole numbers of units: ties everywhere.
 Sphere on_a_lattice(Reader& in, const Frame& frame) {
   const auto number = [&] { return clamped(in.signed_byte() * frame.unit); };
   const float x = number();
@@ -90,7 +90,7 @@ Sphere on_a_lattice(Reader& in, const Frame& frame) {
   return {x, y, z, clamped((in.byte() & 31) * 0.5 * frame.unit)};
 }
 
-/// A few ulps off a multiple of the diameter, near the offset.
+/// Puts coordinates a few ulps off a multiple of the diameter, near the offset.
 Sphere at_a_border(Reader& in, const Frame& frame) {
   const auto number = [&] {
     const int place = in.signed_byte();
@@ -102,7 +102,7 @@ Sphere at_a_border(Reader& in, const Frame& frame) {
   return {x, y, z, nudged(clamped(0.5 * frame.unit), in.byte() % 3)};
 }
 
-/// Two places, and radii over many scales.
+/// Uses two places, and radii over many scales.
 Sphere in_two_places(Reader& in, const Frame& frame) {
   const int kind = in.byte();
   const double centre = kind % 2 == 0 ? 0.0 : frame.offset;
@@ -116,7 +116,7 @@ Sphere in_two_places(Reader& in, const Frame& frame) {
 using ReadSphere = Sphere (*)(Reader&, const Frame&);
 constexpr ReadSphere kKinds[] = {raw_bits, half_words, on_a_lattice, at_a_border, in_two_places};
 
-/// So large that no sphere meets more than some thousand cells.
+/// Returns a side so large that no sphere meets more than a few thousand cells.
 std::optional<double> cell_side(std::span<const Sphere> spheres, std::uint8_t choice) {
   if (choice < 128) return std::nullopt;
   double widest = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a frame takes over from the last on a device: every frame of every sequence has the exact
-// pair set, whatever is allowed, with flags and without. Needs a CUDA device; elsewhere every test
+// Frames that reuse data of the last one on a GPU: every frame of every sequence has the exact pair
+// set, whatever is allowed, with and without flags. Needs a CUDA device; without one every test
 // says why it was skipped.
 #include <gtest/gtest.h>
 

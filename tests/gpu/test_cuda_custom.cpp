@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// impl_cuda_custom against impl_cpu, stage by stage in what each counts (half_shell, which numbers
-// its cells otherwise, in what it finds), and against the exact pairs. Needs a CUDA device;
-// elsewhere every test says why it was skipped.
+// Compares impl_cuda_custom with the exact pairs, and with impl_cpu in what each stage counts
+// (half_shell numbers its cells differently, so only in what it finds). Needs a CUDA device;
+// without one every test says why it was skipped.
 #include <gtest/gtest.h>
 
 #include <algorithm>

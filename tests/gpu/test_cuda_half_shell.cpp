@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Method half_shell of impl_cuda_custom: any levels, seams, the fused stage. Needs a CUDA device;
-// elsewhere every test says why it was skipped.
+// without one every test says why it was skipped.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Precision modes of impl_cuda_custom against the exact pairs and against impl_cpu.
+// Compares the precision modes of impl_cuda_custom with the exact pairs and with impl_cpu.
 #include <gtest/gtest.h>
 
 #include <string>

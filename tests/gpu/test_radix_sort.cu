@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ladder of radix sorts on the device, variant by variant.
+// The variants of the radix sort on a GPU.
 #include <gtest/gtest.h>
 
 #include <algorithm>

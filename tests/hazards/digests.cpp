@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checksums of scenes and of answers, one a line. compilers.py builds this program with many
+// Prints checksums of scenes and of answers, one a line. compilers.py builds this program with many
 // compilers and flags: all must print the same.
 #include <fmt/format.h>
 

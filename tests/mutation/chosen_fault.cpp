@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which fault this run has: OCTOCELL_FAULT in the environment. Linked to every program of the build
-// with faults, to no other. OCTOCELL_FAULT=list prints the names.
+// Chooses the fault of this run: OCTOCELL_FAULT in the environment. Linked only to programs of the
+// build with faults. OCTOCELL_FAULT=list prints the names.
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The faults that are planted, in the order of what they break. Each name stands in one other
-// place, in OCTOCELL_FAULT, on the line that it spoils; tests/mutation/test_mutation.py keeps it
-// so.
+// The planted faults, in the order of what they break. Each name occurs in exactly one other place,
+// in OCTOCELL_FAULT, on the line that it breaks; tests/mutation/test_mutation.py checks that.
 #pragma once
 
 #include <cstdint>

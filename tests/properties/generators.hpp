@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Floats and pairs of spheres that shrink, for RapidCheck: a failure is reported as the simplest
+// Floats and pairs of spheres that shrink, for RapidCheck: a failure is reported with the simplest
 // numbers that still fail.
 #pragma once
 
@@ -27,7 +27,8 @@ namespace properties {
 using rc::Gen;
 namespace gen = rc::gen;
 
-/// A range from its first case on; RapidCheck would begin with a few small numbers.
+/// Generates a range, beginning with its first case; RapidCheck would begin with a few small
+/// numbers.
 template <typename T>
 Gen<T> whole_range(T low, T end) {
   return gen::resize(rc::kNominalSize, gen::inRange<T>(low, end));
@@ -37,7 +38,8 @@ inline float from_parts(bool negative, std::uint32_t exponent, std::uint32_t sig
   return std::bit_cast<float>((negative ? 1U << 31 : 0U) | exponent << 23 | significand);
 }
 
-/// Random bits, few bits, none, all: exact sums and products, and such that round at once.
+/// Generates random bits, few bits, none, or all: sums and products that are exact, and some that
+/// must be rounded.
 inline Gen<std::uint32_t> significand() {
   constexpr std::uint32_t kEnd = 1U << 23;
   const auto few_bits =
@@ -46,12 +48,13 @@ inline Gen<std::uint32_t> significand() {
                     gen::element<std::uint32_t>(0, 1, kEnd - 1));
 }
 
-/// Any finite float with a biased exponent in [low, end): 0 is subnormal, 254 the greatest.
+/// Generates any finite float with a biased exponent in [low, end): 0 is subnormal, 254 the
+/// largest.
 inline Gen<float> float_between(std::uint32_t low, std::uint32_t end) {
   return gen::apply(from_parts, gen::arbitrary<bool>(), whole_range(low, end), significand());
 }
 
-/// Where the arithmetic changes its kind.
+/// Generates numbers at which the arithmetic changes its behaviour.
 inline Gen<float> landmark() {
   return gen::element(0.0F, -0.0F, 0x1p-149F, -0x1p-149F, 0x1.fffffcp-127F, 0x1p-126F, -0x1p-126F,
                       kFloatMax, -kFloatMax, 0x1p127F, kFastRadiusMin, kFastRadiusMax,
@@ -92,7 +95,7 @@ inline Sphere nudged(const Sphere& s, const std::array<int, 4>& ulps) {
           std::fabs(nudged(s.r, ulps[3]))};
 }
 
-/// b lies where it touches a, up to rounding and a few ulps: in direction `to`, at any scale.
+/// Puts b where it touches a in direction `to`, up to rounding and a few ulps, at any scale.
 inline Two tangent(const Sphere& a, float r, const std::array<int, 3>& to,
                    const std::array<int, 4>& ulps) {
   const double length =
@@ -105,7 +108,7 @@ inline Two tangent(const Sphere& a, float r, const std::array<int, 3>& to,
   return {a, nudged({along(a.x, to[0]), along(a.y, to[1]), along(a.z, to[2]), r}, ulps)};
 }
 
-/// Numbers of one scale, from subnormal to overflow.
+/// Generates numbers of one scale, from subnormal to overflow.
 inline Gen<Two> tangent_pair() {
   return gen::mapcat(whole_range<std::uint32_t>(0, 250), [](std::uint32_t exponent) {
     const auto number = float_between(exponent, exponent + 5);

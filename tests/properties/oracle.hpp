@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The claims of docs/exactness.md in arbitrary precision: GMP only, no float64 on the way.
+// The claims of docs/exactness.md in arbitrary precision: only GMP, without float64 on the way.
 #pragma once
 
 #include <gmpxx.h>

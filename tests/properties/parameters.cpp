@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// RapidCheck's own default is 100 cases, new ones each time. Here many, and the same for everyone;
-// RC_PARAMS="max_success=1000000" in the environment tries others.
+// RapidCheck's default is 100 cases, new ones each time. Here there are many, the same for
+// everyone; RC_PARAMS="max_success=1000000" in the environment sets others.
 #include <cstdlib>
 
 namespace {

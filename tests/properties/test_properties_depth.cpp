@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Depths of any two finite spheres. The judge takes no square root: it squares both sides.
+// Depths of any two finite spheres. The check takes no square root: it squares both sides.
 #include <gtest/gtest.h>
 
 // needs the above

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How much of the predicate's margins rounding can use up. Random numbers seldom add up all their
-// roundings in one direction, so they leave wrong margins unnoticed; here each pair climbs: a step
+// How much of the predicate's margins rounding can use up. With random numbers, roundings rarely
+// all go in one direction, so wrong margins would not be noticed. So here each pair climbs: a step
 // is kept if it brings a wrong verdict nearer.
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 using properties::Two;
 
-/// D / R, to 2^-60: the climb is after roundings of 2^-24 and 2^-53.
+/// Returns D / R to 2^-60; the climb looks for roundings of 2^-24 and 2^-53.
 long double true_ratio(const Two& two) {
   const auto square = [](float p, float q) {
     const long double d = static_cast<long double>(p) - q;
@@ -35,20 +35,21 @@ float grown_radius_sum2(const Two& two) {
   return radius_sum * radius_sum;
 }
 
-/// Above 1, a pair that overlaps could be called apart: D^ / H must not exceed D / R.
+/// If above 1, a pair that overlaps could be called apart: D^ / H must not exceed D / R.
 template <Filter filter>
 long double danger_of_a_loss(const Two& two) {
   return filter_distance2(two.a, two.b) / (grown_radius_sum2<filter>(two) * true_ratio(two));
 }
 
-/// Above 1, a pair that is apart could be called sure: D^ / fl(L H) must not be below D / R.
+/// If above 1, a pair that is apart could be called an overlap: D^ / fl(L H) must not be below D /
+/// R.
 template <Filter filter>
 long double danger_of_a_false_pair(const Two& two) {
   return filter_sure_below<filter>(grown_radius_sum2<filter>(two)) * true_ratio(two) /
          filter_distance2(two.a, two.b);
 }
 
-/// Above 1, float64 could be certain and wrong: its error, in units of the bound it grants itself.
+/// If above 1, float64 could be certain and wrong: returns its error in units of its own bound.
 long double danger_of_float64(const Two& two) {
   const auto& [a, b] = two;
   const exact::Float64Test<double> test(a.x, a.y, a.z, a.r, b.x, b.y, b.z, b.r);
@@ -58,7 +59,7 @@ long double danger_of_float64(const Two& two) {
 
 using Danger = long double (*)(const Two&);
 
-/// Knuth's MMIX generator: a climb can be repeated from its seed.
+/// Knuth's MMIX generator, so that a climb can be repeated from its seed.
 class Steps {
  public:
   explicit Steps(std::uint64_t seed) : state_(seed) {}
@@ -71,7 +72,8 @@ class Steps {
   std::uint64_t state_;
 };
 
-/// One or two of the eight numbers a little larger or smaller: by 2^-1 to 2^-24 of themselves.
+/// Makes one or two of the eight numbers a little larger or smaller: by 2^-1 to 2^-24 of
+/// themselves.
 Two stepped(Two two, Steps& steps) {
   float* const numbers[] = {&two.a.x, &two.a.y, &two.a.z, &two.a.r,
                             &two.b.x, &two.b.y, &two.b.z, &two.b.r};
@@ -91,7 +93,8 @@ Two climb(Two best, Danger danger, Steps steps) {
   return best;
 }
 
-/// The worst of some hundred climbs, from pairs of numbers within a factor of two (or `scales`).
+/// Returns the worst of some hundred climbs, from pairs of numbers within a factor of two (or
+/// `scales`).
 Two worst(Danger danger, std::uint32_t scales = 1) {
   constexpr int kClimbs = 300;
   const auto number = properties::float_between(127 - scales, 127);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each level of the predicate is certain when it answers, for any two finite spheres.
+// Each level of the predicate is right if it is certain, for any two finite spheres.
 #include <gtest/gtest.h>
 
 // needs the above
@@ -63,7 +63,7 @@ RC_GTEST_PROP(PredicateProperties, ExactTestIsRightInEitherOrder, ()) {
   RC_ASSERT(overlap_exact(two.b, two.a) == truth);
 }
 
-/// TwoSum's and the product's error are what rounding took, to the last bit.
+/// The errors of TwoSum and of the product are exactly what rounding took.
 RC_GTEST_PROP(PredicateProperties, ErrorsOfSumsAndSquaresAreExact, ()) {
   const double a = *properties::any_float();
   const double b = *properties::any_float();

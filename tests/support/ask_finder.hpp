@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What tests of one finder ask, and with how much room.
+// Runs a finder with given buffers, for tests.
 #pragma once
 
 #include <vector>
@@ -31,7 +31,7 @@ inline Plan roomy_plan(const Scene& scene, const PlanOptions& options) {
   return plan;
 }
 
-/// Repeats with larger buffers, as the driver does.
+/// Repeats with larger buffers, like find_completely().
 inline Answer ask_until_it_fits(PairFinder& finder, Plan plan, SceneView scene) {
   Answer answer = ask(finder, plan, scene);
   while (!fits(answer.counts, plan.capacity, plan.count_only)) {

@@ -12,7 +12,7 @@
 
 namespace octocell::cpu {
 
-/// Sized as the backend's upload() does.
+/// Makes a workspace as the backend's upload() does.
 inline std::unique_ptr<Workspace> workspace_for(SceneView scene, const PlanOptions& options) {
   auto w = std::make_unique<Workspace>();
   w->plan = make_plan(measure(scene), options);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Plays frames to a finder as the bench does, and says what may be forbidden meanwhile.
+// Plays frames to a finder like the bench, with the skips that may be forbidden.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ inline PlanOptions moving(Skips allowed = Skips::all(), int threads = 1) {
   return {.method = Method::half_shell, .threads = threads, .allowed = allowed, .moving = true};
 }
 
-/// Plays frames as the bench does: announces each, and plans again where a plan no longer holds.
+/// Plays frames like the bench: announces each, and plans again if a plan no longer holds.
 class Player {
  public:
   Player(const PlanOptions& options, std::unique_ptr<PairFinder> finder)
@@ -51,12 +51,12 @@ class Player {
     return outcome.counts;
   }
 
-  /// The next frame is the first of another sequence, which the same finder is shown.
+  /// The next frame begins another sequence for the same finder.
   void plan_again(const PlanOptions& options) {
     options_ = options;
     plan_.reset();
   }
-  /// The next frame, if it has as many spheres, comes with an upload of that plan.
+  /// The next frame is uploaded with that plan, if it has the same number of spheres.
   void upload_next(const Plan& plan) {
     plan_ = plan;
     uploads_next_ = true;
@@ -88,7 +88,7 @@ class Player {
   int plans_ = 0;
 };
 
-/// All allowed, each alone forbidden, each alone allowed, none.
+/// Returns all skips allowed, each one forbidden, each one allowed alone, none allowed.
 inline std::vector<Skips> choices() {
   constexpr Skip kSkipsOfFrames[] = {Skip::unchanged, Skip::few_movers, Skip::skin};
   Skips none = Skips::all();
@@ -101,11 +101,11 @@ inline std::vector<Skips> choices() {
   return choices;
 }
 
-/// By skip: how many frames were served by it.
+/// For each skip: how many frames used it.
 using Served = std::array<int, kSkipCount>;
 
-/// Plays every sequence with every choice: each frame has the exact pairs, and is served by nothing
-/// that is forbidden. flags_for(spheres) gives the flags of a frame.
+/// Plays every sequence with every choice: each frame has the exact pairs and uses no forbidden
+/// skip. flags_for(spheres) returns the flags of a frame.
 template <typename NewPlayer, typename FlagsFor>
 void play_with_every_choice(const NewPlayer& new_player, const FlagsFor& flags_for,
                             Served& served) {

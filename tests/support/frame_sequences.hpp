@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What may happen between frames: sequences made to mislead code that relies on the frame before.
+// What may happen between frames: sequences made to mislead code that reuses data of the last
+// frame.
 #pragma once
 
 #include <cmath>
@@ -18,7 +19,8 @@ namespace octocell {
 using Spheres = std::vector<Sphere>;
 using AllFlags = std::vector<Flags>;
 
-/// `share` of them static, the others in groups of which some do not meet. Below zero: no flags.
+/// Makes `share` of them static and puts the others in groups, some of which do not meet. No flags
+/// if `share` is below zero.
 inline AllFlags flags_of(std::size_t count, double share, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -33,7 +35,7 @@ inline Frames played(const char* spec, Motion motion, int count = 10) {
   return move(generate(spec).spheres, motion, count, 1);
 }
 
-/// `share` of the spheres take the places of others, radii included, in every frame.
+/// In every frame, `share` of the spheres take the places of others, radii included.
 inline Frames teleports(const char* spec, double share) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -48,7 +50,7 @@ inline Frames teleports(const char* spec, double share) {
   return frames;
 }
 
-/// Tangent spheres, of which a few move by the least step there is, there and back.
+/// Tangent spheres, of which a few move by the smallest possible step, back and forth.
 inline Frames by_an_ulp(double share) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -66,7 +68,7 @@ inline Frames by_an_ulp(double share) {
   return frames;
 }
 
-/// Radii breathe, within what the plan has seen; places stay, or drift slowly.
+/// Radii change, within the range of the plan; places stay the same, or drift slowly.
 inline Frames radii_change(double share, bool drift) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> unit(0.0F, 1.0F);
@@ -88,7 +90,7 @@ inline Frames a_b_a() {
   return {two[0], two[1], two[0], two[0], two[1], two[1], far[1], two[0], far[1], far[1], two[0]};
 }
 
-/// Slow, then still, then a few, then slow again, then all is somewhere else.
+/// Slow motion, then none, then a few movers, then slow again, then everything is somewhere else.
 inline Frames moods() {
   Frames frames = played("gas:n=1500", Motion::slow, 6);
   const auto go_on = [&frames](Motion motion, int count) {
@@ -105,7 +107,7 @@ inline Frames moods() {
   return frames;
 }
 
-/// A few fly off in all directions, through many cells a frame, and leave the plan's box.
+/// A few spheres fly off in all directions, through many cells a frame, and leave the plan's box.
 inline Frames fly_off() {
   Frames frames = played("gas:n=1500", Motion::slow, 12);
   for (std::size_t f = 1; f < frames.size(); ++f) {
@@ -121,7 +123,7 @@ inline Frames fly_off() {
   return frames;
 }
 
-/// So far apart that ids wrap on every axis.
+/// Spheres so far apart that ids wrap on every axis.
 inline Frames wrapped(Motion motion) {
   Spheres start = generate("gas:n=1000").spheres;
   for (std::size_t i = 0; i < start.size(); i += 2) {
@@ -131,7 +133,7 @@ inline Frames wrapped(Motion motion) {
   return move(start, motion, 10, 1);
 }
 
-/// A line of spheres so long that its columns wrap, of which some jump from end to end.
+/// A line of spheres so long that its columns wrap; some jump from end to end.
 inline Frames along_a_line() {
   Spheres start;
   for (int k = 0; k < 1500; ++k) start.push_back({static_cast<float>(k) * 1e7F, 0, 0, 0.5F});
@@ -145,8 +147,8 @@ inline Frames along_a_line() {
   return frames;
 }
 
-/// Couples, far from each other, of two that come closer, over gaps of all widths: whatever the
-/// width of a skin, some were not near when it was put on and meet before it must be left.
+/// Couples far from each other, each of two spheres that approach over gaps of all widths. Whatever
+/// the width of a skin, some were not near when the list was made and meet before it is used up.
 inline Frames couples_that_meet() {
   constexpr int kCouples = 300;
   Frames frames(100);
@@ -162,7 +164,7 @@ inline Frames couples_that_meet() {
   return frames;
 }
 
-/// Spheres come and go.
+/// Spheres appear and disappear.
 inline Frames numbers_change() {
   Frames frames = played("gas:n=1500", Motion::few, 8);
   frames[3].resize(1400);

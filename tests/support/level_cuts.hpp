@@ -11,15 +11,15 @@
 
 namespace octocell {
 
-/// How the spheres are cut into levels, and their cells into columns.
+/// How spheres are cut into levels, and cells into columns.
 struct Cut {
   std::size_t levels;
   std::uint32_t columns;
-  double diameters;  // a cell's side
-  int most_bits;     // of a level's ids: where they are few, axes wrap
+  double diameters;  // the side of a cell
+  int most_bits;     // of a level's ids; if there are few, axes wrap
 };
 
-/// The same number of spheres in each level, unless radii are equal.
+/// Makes a plan with the same number of spheres in each level, unless radii are equal.
 inline Plan with_levels(Plan plan, const Scene& scene, const Cut& cut) {
   std::vector<float> radii;
   for (const Sphere& s : scene.spheres) radii.push_back(s.r);
@@ -37,7 +37,7 @@ inline Plan with_levels(Plan plan, const Scene& scene, const Cut& cut) {
   return plan;
 }
 
-/// Two gases that far apart on all axes: no number of bits counts the cells between them.
+/// Makes two gases so far apart on all axes that no number of bits counts the cells between them.
 inline Scene far_apart(const char* spec, float offset) {
   Scene scene = generate(spec);
   for (std::size_t i = 0; i < scene.spheres.size(); i += 3) {

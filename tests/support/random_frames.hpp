@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sequences of frames made at random, of all that was ever seen to mislead a finder that relies on
-// the frame before. The same seed gives the same sequence.
+// Random sequences of frames, made of everything that ever misled a finder that reuses data of the
+// last frame. The same seed gives the same sequence.
 #pragma once
 
 #include <algorithm>
@@ -21,18 +21,18 @@ class Dice {
  public:
   explicit Dice(std::uint64_t seed) : random_(seed) {}
   std::uint64_t seed() { return random_(); }
-  /// Below `count`, or 0.
+  /// Returns a number below `count`, or 0.
   std::size_t below(std::size_t count) { return count == 0 ? 0 : random_() % count; }
   bool one_in(std::size_t count) { return below(count) == 0; }
-  /// In [-1, 1).
+  /// Returns a number in [-1, 1).
   float around_zero() { return static_cast<float>(random_() >> 40) * 0x1p-23F - 1.0F; }
 
  private:
   std::mt19937_64 random_;
 };
 
-/// A scene of `count` spheres: of radii equal or not, in a box, a layer, a row or on a lattice, in
-/// one place or in two that are far apart, and of any scale.
+/// Makes a scene of `count` spheres: radii equal or not; in a box, a layer, a row or on a lattice;
+/// in one place or in two that are far apart; at any scale.
 inline Spheres random_scene(std::size_t count, Dice& dice) {
   const bool on_lattice = dice.one_in(4);
   const bool equal = on_lattice || dice.one_in(2);
@@ -70,23 +70,23 @@ class RandomFrames {
   }
 
   [[nodiscard]] SceneView scene() const { return {spheres_, flags_}; }
-  /// What the last change was.
+  /// Returns the name of the last change.
   [[nodiscard]] const char* event() const { return kEvents[event_].name; }
-  /// False: a sphere is none.
+  /// Returns false if some sphere is invalid.
   [[nodiscard]] bool is_valid() const { return is_valid_; }
-  /// Whether the next frame had better come with an upload of the plan that stands.
+  /// Returns true if the next frame should come with an upload of the present plan.
   [[nodiscard]] bool is_another_scene() const {
     return kEvents[event_].happen == &RandomFrames::another_scene;
   }
 
-  /// All was searched in this frame, for these facts and with this skin.
+  /// Notes that everything was searched in this frame, with these facts and this skin.
   void was_searched(const Plan& plan) {
     anchor_ = spheres_;
     facts_ = plan.facts;
     growth_ = plan.skin.growth;
   }
 
-  /// What goes on as a rule goes on for some frames.
+  /// Makes the next frame. A change that can continue usually continues for several frames.
   void next() {
     if (!is_valid_) {
       is_valid_ = dice_.below(3) != 0;
@@ -117,7 +117,7 @@ class RandomFrames {
   float ulp_from(float value) {
     return std::nextafter(value, dice_.one_in(2) ? kFloatMax : -kFloatMax);
   }
-  /// How many are concerned: one, a few, many, all.
+  /// Returns how many spheres change: one, a few, many, all.
   std::size_t some() {
     const std::size_t count = spheres_.size();
     const std::size_t choices[] = {1, 1 + count / 20, 1 + count / 5, count};
@@ -146,7 +146,7 @@ class RandomFrames {
     const float step = size_of_step_ * spheres_[0].r * dice_.around_zero();
     for (Sphere& s : spheres_) s.x += step;
   }
-  /// And once they are a few, many.
+  /// A few spheres move, and after some frames many.
   void some_move() {
     std::size_t movers = repeats_ < 4 ? 1 + spheres_.size() / 30 : spheres_.size() / 3;
     for (; movers > 0; --movers) {
@@ -166,7 +166,7 @@ class RandomFrames {
   void radii_change() {
     for (std::size_t k = some(); k > 0; --k) any().r = dice_.one_in(2) ? 0.0F : any().r;
   }
-  /// They touch, as far as float32 goes, or nearly so.
+  /// Spheres touch, as far as float32 allows, or nearly.
   void touch() {
     for (std::size_t k = some(); k > 0; --k) {
       const Sphere other = any();
@@ -176,7 +176,7 @@ class RandomFrames {
     }
   }
   void collapse() {
-    constexpr std::size_t kMost = 200;  // all of them are pairs
+    constexpr std::size_t kMost = 200;  // all of them become pairs
     const Sphere middle = any();
     for (std::size_t k = std::min(some(), kMost); k > 0; --k) {
       Sphere& s = any();
@@ -196,7 +196,7 @@ class RandomFrames {
       flags_[dice_.below(flags_.size())] = make_flags(dice_.one_in(3), group, kMaxMask & ~group);
     }
   }
-  /// As far from where it was searched as a skin may be wide, and a step of float32 on or back.
+  /// Moves spheres from where they were searched by half a skin, and a float32 step more or less.
   void to_the_skin() {
     if (anchor_.size() != spheres_.size()) return;
     const float half_skin = growth_ * static_cast<float>(1 + dice_.below(8)) / 8.0F;
@@ -286,8 +286,8 @@ class RandomFrames {
   std::size_t event_ = 0;
   int repeats_ = 0;
   float size_of_step_ = 0.1F;
-  std::vector<Spheres> history_;  // of the frames before, those that are valid
-  Spheres anchor_;                // when all was searched last
+  std::vector<Spheres> history_;  // earlier frames that are valid
+  Spheres anchor_;                // when everything was searched last
   PlanFacts facts_;
   float growth_ = 0.0F;
 };

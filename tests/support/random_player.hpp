@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shows random sequences of frames to a finder, with plans, buffers and forbidden skips at random.
+// Shows random sequences of frames to a finder, with random plans, buffers and forbidden skips.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ inline std::uint64_t number_from_environment(const char* name, std::uint64_t oth
   return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
 }
 
-/// One seed: one finder, to which up to three sequences are shown one after the other.
+/// One seed: one finder, which sees up to three sequences one after another.
 class RandomPlayer {
  public:
   RandomPlayer(std::uint64_t seed, std::unique_ptr<PairFinder> finder, std::size_t most_spheres)
@@ -42,13 +42,13 @@ class RandomPlayer {
   }
 
  private:
-  /// Small, as a rule.
+  /// Returns a size that is usually small.
   std::size_t random_size() {
     const std::size_t most[] = {3, 20, 60, 60, 60, 200, 200, dice_.one_in(4) ? most_spheres_ : 200};
     return dice_.below(1 + most[dice_.below(std::size(most))]);
   }
 
-  /// All but some, or some.
+  /// Returns all skips but some, or only some.
   Skips random_skips() {
     const std::size_t one_in = dice_.one_in(3) ? 2 : 12;
     Skips allowed = Skips::all();
@@ -102,7 +102,7 @@ class RandomPlayer {
     ++served[static_cast<std::size_t>(*counts.reused)];
   }
 
-  /// Buffers that hold just what was found: one pair more, and there are too few.
+  /// Makes buffers that hold just what was found: with one pair more, they are too small.
   void leave_no_room() {
     Plan plan = player_.plan();
     const std::uint64_t pairs = player_.finder().counts().pairs;
@@ -115,8 +115,9 @@ class RandomPlayer {
   Player player_;
 };
 
-/// Plays `count` seeds, or as many as the environment says, from its seed on. Stops at the first
-/// that fails, and says how to repeat it. Where seeds are many, all of `skips` must have served.
+/// Plays `count` seeds, or as many as the environment says, starting with its seed. Stops at the
+/// first that fails, and says how to repeat it. If there are many seeds, each of `skips` must have
+/// been used.
 template <typename NewFinder>
 void play_random_frames(std::uint64_t count, std::size_t most_spheres, const NewFinder& new_finder,
                         std::initializer_list<Skip> skips) {

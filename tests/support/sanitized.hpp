@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sanitizers make everything up to fifty times slower; tests that run many scenes take fewer there.
+// Sanitizers make everything up to fifty times slower, so tests of many scenes run fewer with them.
 #pragma once
 
 namespace octocell {

@@ -18,7 +18,7 @@ namespace octocell {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for each test, removed at the end.
+/// Gives each test a folder of its own, and removes it at the end.
 class SceneFiles : public testing::Test {
  protected:
   void SetUp() override {
@@ -44,7 +44,7 @@ class SceneFiles : public testing::Test {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
   }
 
-  /// Loading fails with a message that begins with the path and holds `reason`.
+  /// Expects that loading fails with a message that begins with the path and contains `reason`.
   static void expect_refusal(const std::string& file, const std::string& reason,
                              const LoadOptions& options = {}) {
     try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ways in which a backend of ours can be asked: every method, and home_phantom by every rule.
+// The ways to run one of our backends: every method, and home_phantom with every rule.
 #pragma once
 
 #include "core/plan.hpp"

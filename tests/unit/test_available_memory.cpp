@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the files of /proc and /sys say, of both versions of control groups, on made-up trees.
+// Reads made-up trees of /proc and /sys files, with both versions of control groups.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every baseline gives the exact pair set, whatever it was asked before, and says what it lacked.
+// Every baseline gives the exact pair set, whatever it searched before, and reports buffers that
+// were too small.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A full buffer is an answer: the size needed. Nothing is clipped, nothing is lost.
+// A full buffer is an answer: the required size. Nothing is clipped, nothing is lost.
 #include <gtest/gtest.h>
 
 #include <cctype>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a frame takes over from the last: every frame of every sequence has the exact pair set, and
-// the work is what the skip promises.
+// Frames that reuse data of the last one: every frame of every sequence has the exact pair set, and
+// does no more work than the skip promises.
 #include <gtest/gtest.h>
 
 #include <algorithm>

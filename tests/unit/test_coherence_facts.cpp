@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What breaks a plan is said in the frame in which it does, whatever spares that frame stage 1.
+// If a frame breaks the plan's facts, that frame reports it, even if it skips stage 1.
 #include <gtest/gtest.h>
 
 #include <cmath>

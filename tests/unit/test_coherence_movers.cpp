@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames in which few have moved: their pairs are found again, the others' stand.
+// Frames in which few spheres have moved: their pairs are found again, the others' are kept.
 #include <gtest/gtest.h>
 
 #include <cstddef>

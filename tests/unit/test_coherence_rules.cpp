@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rules by which impl_cuda_custom takes over from the last frame, without a device: a model
-// that looks at spheres one by one, as the kernels do, and lists neighbor pairs by the reference.
+// The rules by which impl_cuda_custom reuses data of the last frame, without a GPU: a model that
+// reads spheres one by one, like the kernels, and lists neighbor pairs with the reference.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is planned for a device, by the costs of its kernels; no device is needed to plan.
+// Plans for a GPU, with the costs of its kernels; planning needs no GPU.
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"

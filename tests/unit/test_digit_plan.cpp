@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How keys are cut into digits; needs no device.
+// How keys are cut into digits; needs no GPU.
 #include <gtest/gtest.h>
 
 #include "core/digit_plan.hpp"

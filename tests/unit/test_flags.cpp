@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Static spheres, groups and masks: the definition, and every implementation held against it.
+// Static spheres, groups and masks: the definition, and every implementation compared with it.
 #include <gtest/gtest.h>
 
 #include <cctype>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A finder that crashes, hangs or fails takes nothing down with it.
+// A finder that crashes, hangs or fails does not affect its caller.
 #include <gtest/gtest.h>
 
 #include <sys/wait.h>

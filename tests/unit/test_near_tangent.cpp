@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The second oracle agrees with the first, its pairs are what their families say, and the predicate
-// is right about them.
+// The second reference agrees with the first, its pairs are what their families promise, and the
+// predicate is right about them.
 #include <gtest/gtest.h>
 
 #include <cstddef>

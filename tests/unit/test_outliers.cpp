@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A few spheres that are far away, or of another size, must not make work for all others: the pairs
-// are exact, and the candidates few. Bounds are of work, since times depend on the machine.
+// are exact, and there are few candidates. Work is limited, not time, because times depend on the
+// machine.
 #include <gtest/gtest.h>
 
 #include <algorithm>

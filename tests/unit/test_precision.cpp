@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Precision modes: what each promises, what each does, and tests that a scene proves to be enough.
+// Precision modes: what each promises, what each does, and tests that are proved to be enough for a
+// scene.
 #include <gtest/gtest.h>
 
 #include <bit>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The three levels against big integers, on families made to break them.
+// Compares the three levels with big integers, on families made to break them.
 #include <gtest/gtest.h>
 
 #include <algorithm>

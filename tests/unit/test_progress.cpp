@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The bench says how long it will take: from small groups it must not conclude that large ones take
-// as long for each of their spheres.
+// The bench predicts how long it will take. It must not conclude from small groups that large ones
+// take as long per sphere.
 #include <gtest/gtest.h>
 
 #include <string>

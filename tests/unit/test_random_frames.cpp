@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random sequences of frames on impl_cpu: every frame has the exact pairs.
-// OCTOCELL_FRAME_SEQUENCES says how many are played, OCTOCELL_FRAME_SEED from which seed on.
+// Random sequences of frames on impl_cpu: every frame has the exact pairs. OCTOCELL_FRAME_SEQUENCES
+// sets how many are played, OCTOCELL_FRAME_SEED the first seed.
 #include <gtest/gtest.h>
 
 #include <cstddef>

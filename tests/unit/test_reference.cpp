@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The oracle against itself (two methods) and against counts known in closed form.
+// Compares the reference with itself (two methods) and with counts known in closed form.
 #include <gtest/gtest.h>
 
 #include <bit>

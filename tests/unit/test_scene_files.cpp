@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files: what is read, and what is refused and why.
+// Files: which are read, and which are refused and why.
 #include <gtest/gtest.h>
 
 #include <bit>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files: what is written, and that a failed write leaves nothing behind.
+// Files: how they are written, and that a failed write leaves nothing behind.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>

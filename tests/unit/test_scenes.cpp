@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Generators: their bits, their promises, and what their parameters refuse.
+// Generators: their bits, their promises, and the parameters that they refuse.
 #include <gtest/gtest.h>
 
 #include <algorithm>

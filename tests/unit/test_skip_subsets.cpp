@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every set of skips that a plan may be given: the pairs are the exact ones, and what is forbidden
-// is not left out.
+// Every set of skips that a plan may be given: the pairs are the exact ones, and a forbidden skip
+// is not taken.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What judges the sorts of bench-sort, and the sorts themselves at awkward sizes.
+// The checks that bench-sort makes, and the sorts themselves at awkward sizes.
 #include <gtest/gtest.h>
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The judge of the stress suite notices each kind of fault; its scenes are what they say.
+// The judge of the stress suite notices each kind of fault; its scenes are what they promise.
 #include <gtest/gtest.h>
 
 #include <algorithm>

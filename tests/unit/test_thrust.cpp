@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// impl_thrust against impl_cpu: the same counts of everything, in any number of threads.
-// (That its pairs are exact, its buffers honest and its checksums golden is tested for all
-// backends.)
+// Compares impl_thrust with impl_cpu: all counts are the same, with any number of threads. (Other
+// tests check for all backends that pairs are exact, buffers report what they need, and checksums
+// are as stored.)
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where half_shell of impl_thrust looks, in levels and wrapped grids that the planner would not
+// Where half_shell of impl_thrust searches, in levels and wrapped grids that the planner would not
 // choose: all pairs of adjacent cells, each once, and no others.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
