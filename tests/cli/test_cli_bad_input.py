@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Whatever cannot be used is refused: exit 2, one line that says what and where, nothing left."""
+"""Bad input is refused: exit code 2, one line that says what and where, and no file is left."""
 
 from __future__ import annotations
 

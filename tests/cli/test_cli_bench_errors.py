@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""`octocell bench`: what rounding the input changed, and the preset for run time against error."""
+"""`octocell bench`: how rounding the input changes pairs, and the preset for run time and error."""
 
 from __future__ import annotations
 

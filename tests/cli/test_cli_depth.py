@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""`octocell find --depth` and `--depth-check` against rational arithmetic."""
+"""Compares `octocell find --depth` and `--depth-check` with rational arithmetic."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""`octocell find` and `generate` against the definition."""
+"""Compares `octocell find` and `generate` with the definition."""
 
 from __future__ import annotations
 

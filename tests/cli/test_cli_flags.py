@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Static spheres, groups and masks on the command line, against the definition spelt out here."""
+"""Compares static spheres, groups and masks on the command line with a definition written here."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Threads that cannot be made, files that may not grow, signals: one line, nothing left."""
+"""Threads that cannot be made, files that may not grow, signals: one line, and no file is left."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""In a container that allows little memory, what does not fit is refused, and what fits runs."""
+"""In a container with little memory, scenes that do not fit are refused, and others run."""
 
 from __future__ import annotations
 

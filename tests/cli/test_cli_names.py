@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Files have any name that the system allows: nothing is lost, and it is shown on one line."""
+"""Files may have any name that the system allows; messages about them stay on one line."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""octocell near-tangent: the predicate against integers, on pairs that nearly touch."""
+"""octocell near-tangent: compares the predicate with integers on pairs that nearly touch."""
 
 from pathlib import Path
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""No output takes the place of an input or of another output, however the paths are spelt."""
+"""No output overwrites an input or another output, however the paths are written."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The library and the command line without what only developers need: OCTOCELL_DEVELOPER=OFF."""
+"""The library and the command line without the parts for developers: OCTOCELL_DEVELOPER=OFF."""
 
 from __future__ import annotations
 

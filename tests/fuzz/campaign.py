@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Lets libFuzzer loose on each target, one after the other, and writes down how much it tried.
+"""Runs libFuzzer on each target, one after another, and records how much it tried.
 
-A target that fails ends the campaign: what it found lies in the folder `found`, exit code 1.
+A target that fails ends the campaign with exit code 1; its finding is in the folder `found`.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What fuzzers and sanitizers did is counted from what they print."""
+"""The output of fuzzers and sanitizers is counted correctly."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""One checksum, whatever the compiler: builds digests.cpp with generators, planner, impl_cpu and
-reference under every compiler and set of flags, runs all, compares what they print.
+"""One checksum for every compiler: builds digests.cpp with generators, planner, impl_cpu and
+reference with every compiler and set of flags, runs all, and compares their output.
 Also: everything that would void the proofs (-ffast-math) must be refused at compile time."""
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What sanitizers had to say, counted from their logs: of ctest, and of compute-sanitizer.
+"""Counts the reports of sanitizers in the logs of ctest and of compute-sanitizer.
 
 sanitizers.py -o sanitizers.json "TSan=build-tsan/ctest.log" "memcheck=sanitize_memcheck.log"
 Exit code 1 if there is a report, 2 if a log does not say how many tests ran.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Two compilers at two ends of optimisation give one answer; `make compilers` tries them all."""
+"""Two compilers, with and without optimisation, agree; `make compilers` tries them all."""
 
 from __future__ import annotations
 

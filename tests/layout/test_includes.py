@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Every file includes the standard headers that it uses: which header includes which other one
-differs from compiler to compiler, and from release to release."""
+"""Every file includes the standard headers that it uses, because which header includes which other
+one differs from compiler to compiler, and from release to release."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The spine stays parallel: the same six words in the same order in every backend and the docs."""
+"""Every backend and the docs have the same six stages in the same order."""
 
 from __future__ import annotations
 

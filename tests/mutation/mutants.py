@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Would the tests notice? It runs them on a build in which one fault after the other is switched on
-(core/faults.hpp), until one fails. First all of them without a fault: they must pass,
-and their times say in which order to try them. Exit 1 if a fault survives."""
+"""Would the tests notice a fault? Runs them on a build in which one fault after another is switched
+on (core/faults.hpp), each until a test fails. First runs all tests without a fault: they must pass,
+and their times decide in which order they are tried. Exit code 1 if a fault survives."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Runs a check with a fault or without: in limits of time and memory, and ended when asked to."""
+"""Runs a check with or without a fault, with limits on time and memory; the caller can end it."""
 
 from __future__ import annotations
 

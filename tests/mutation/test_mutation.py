@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The planted faults: each name stands in the code once, and nothing of them is in the program."""
+"""The planted faults: each name occurs in the code once; the normal program has none."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The definition, spelt out: which spheres overlap over the reals. Shares nothing with the C++."""
+"""The definition in Python: which spheres overlap over the reals. Shares no code with the C++."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Running the program under test and the scripts beside it, and reading what they say."""
+"""Runs the program under test and the scripts, and reads their output."""
 
 from __future__ import annotations
 
