@@ -35,8 +35,8 @@ std::unique_ptr<PairFinder> make_fcl_ssap();
 std::unique_ptr<PairFinder> make_fcl_interval_tree();
 std::unique_ptr<PairFinder> make_fcl_spatial_hashing();
 std::unique_ptr<PairFinder> make_fcl_naive();
-/// With cells that begin where the scene's box begins. It is in no table; it only shows what that
-/// loses.
+/// Makes it with cells that begin where the scene's box begins. It is in no table; it only shows
+/// what that loses.
 std::unique_ptr<PairFinder> make_fcl_spatial_hashing_aligned();
 
 // Bullet 3.24: pairs are found on insertion (default), or in one tree-tree pass (m_deferedcollide).

@@ -35,8 +35,8 @@ class CandidateSink {
     checksum_beyond_room_ = 0;
   }
 
-  /// Call before the work starts, if the library is going to compare this many pairs anyway.
-  /// Returns false if the plan allows fewer; the caller must then not start.
+  /// Returns false if the plan allows fewer comparisons; the caller must then not start. For a
+  /// library that is going to compare this many pairs in any case.
   bool allows(std::uint64_t pairs_ahead) {
     if (pairs_ahead <= candidate_limit_) return true;
     counts_.candidates = pairs_ahead;

@@ -113,8 +113,8 @@ OCTOCELL_HD Real square_error(Real a, Real square) {
   return fma(a, a, -square);
 }
 
-/// Both sides of level 2 carry at most 8 roundings of 2^-53; a factor of ten leaves room for
-/// second-order terms.
+/// Returns the error bound of level 2. Both sides together carry at most 8 roundings of 2^-53; a
+/// factor of ten leaves room for second-order terms.
 template <typename Real>
 OCTOCELL_HD Real float64_bound(Real radius_sum2) {
   return OCTOCELL_FAULT(float64_bound_too_small, 1.0, 10.0) * 0x1p-53 * radius_sum2;
@@ -229,7 +229,7 @@ OCTOCELL_HD Fixed distance_along_axis(float p, float q) {
   return (p < 0.0F) == (q < 0.0F) ? absolute_difference(a, b) : add(a, b);
 }
 
-/// sum += a * a
+/// Adds a * a to `sum`.
 OCTOCELL_HD void add_square(Square& sum, const Fixed& a) {
   for (int i = 0; i < kLimbs; ++i) {
     if (a.limb[i] == 0) continue;

@@ -29,7 +29,8 @@ class CpuBackend final : public GridPairFinder {
     flags_.assign(scene.flags.begin(), scene.flags.end());
   }
 
-  /// Data of the last frame is reused only if coherence_ has proved that it is still right.
+  /// Replaces the spheres. Data of the last frame is reused only if coherence_ has proved that it
+  /// is still right.
   void update(SceneView scene) override {
     if (scene.spheres.size() > room_) return upload(w_.plan, scene);
     if (!std::ranges::equal(flags_, scene.flags)) {

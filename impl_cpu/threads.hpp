@@ -12,7 +12,7 @@ namespace octocell::cpu {
 /// A fixed set of threads, including the caller's (the others take their work from Boost.Asio).
 class Threads {
  public:
-  /// If the system does not give that many threads, there are fewer.
+  /// Starts the threads. If the system does not give that many, there are fewer.
   explicit Threads(int count);
   ~Threads();
   Threads(const Threads&) = delete;

@@ -65,7 +65,8 @@ class CudaBackend final : public GridPairFinder {
     update(scene);
   }
 
-  /// Data of the last frame is reused only if the device has proved that it is still right.
+  /// Replaces the spheres. Data of the last frame is reused only if the device has proved that it
+  /// is still right.
   void update(SceneView scene) override {
     if (scene.spheres.size() > room_) return upload(w_.plan, scene);
     const bool sizes_as_before = scene.spheres.size() == w_.scene.spheres.size() &&
@@ -167,7 +168,8 @@ class CudaBackend final : public GridPairFinder {
   void cell_index() override { cuda_custom::cell_index(w_); }
   void pair_tests() override { cuda_custom::pair_tests(w_); }
   void resolve() override { cuda_custom::resolve(w_); }
-  /// While the device continues with the queued work, the host reads what it should have queued.
+  /// Returns true if the frame needs stages that were not queued. The host reads this while the
+  /// device continues with the queued work.
   bool mispredicted() override {
     if (!w_.mode) return false;
     opened_.wait();
@@ -209,7 +211,8 @@ class CudaBackend final : public GridPairFinder {
     return w_.plan.count_only || state.pairs > w_.plan.capacity.pairs ? 0 : state.pairs;
   }
 
-  /// The device sets flags; the text, which names a sphere, is made here.
+  /// Returns the message for violations. The device only sets flags; the text, which names a
+  /// sphere, is made here.
   [[nodiscard]] std::optional<std::string> words_for(std::uint32_t violations) const {
     if ((violations & kInvalidSphere) != 0) return describe_first_invalid(w_.scene.spheres);
     if ((violations & kOutsidePlan) != 0) {

@@ -54,7 +54,7 @@ class CudaDeviceRuns final : public DeviceRuns {
     return clock.stop().total_ms;
   }
 
-  /// Must be called before any array moves that a recorded graph points to.
+  /// Drops the recorded graph. Must be called before any array moves that the graph points to.
   void forget_graph() {
     if (graph_ != nullptr) cudaGraphExecDestroy(graph_);
     graph_ = nullptr;

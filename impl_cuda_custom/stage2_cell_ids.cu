@@ -62,7 +62,7 @@ __device__ Room claim_room(const Job& job, std::uint64_t phantoms) {
   return {begin, scan.before, scan.total, begin + scan.total <= job.capacity};
 }
 
-/// The last block to arrive knows whether all ids fit.
+/// Sets State::entries if all ids fit; only the last block to arrive knows.
 __device__ void close_ids(const Job& job) {
   if (threadIdx.x != 0) return;
   __threadfence();
@@ -73,8 +73,7 @@ __device__ void close_ids(const Job& job) {
   if (violations == 0 && ids <= job.capacity) state->entries = ids;
 }
 
-/// For a sphere with too many phantoms for one block: reserves room, which wide_spheres_kernel
-/// fills.
+/// Reserves room for a sphere with too many phantoms for one block; wide_spheres_kernel fills it.
 __device__ void put_off(const Job& job, std::uint32_t sphere, std::uint64_t phantoms) {
   const std::uint64_t place = atomic_add(&job.state->ids, phantoms);
   if (place + phantoms > job.capacity) return;

@@ -144,7 +144,8 @@ struct Workspace {
     if (c == coherence::FrameMode::neighbor_list && !allowed().neighbor_list) return false;
     return !mode || *mode == c;
   }
-  /// The levels, the sorter and the test of this frame's search.
+  /// Return what this frame's search uses: an enlarged radius or not, the levels, the sorter, the
+  /// test.
   [[nodiscard]] bool grows() const { return growth > 0.0F; }
   [[nodiscard]] const Levels& levels() const { return grows() ? plan.skin.levels : plan.levels; }
   [[nodiscard]] const RadixSort& sorter_now() const { return grows() ? *grown_sorter : *sorter; }

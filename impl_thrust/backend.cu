@@ -33,7 +33,7 @@ class ThrustBackend final : public GridPairFinder {
     w_.allocate();
   }
 
-  /// Nothing is kept between runs: every find_pairs() starts from the spheres.
+  /// Replaces the spheres. Nothing is kept between runs: every find_pairs() starts from them.
   void update(SceneView scene) override {
     if (scene.spheres.size() > room_) return upload(w_.plan, scene);
     w_.scene = scene;

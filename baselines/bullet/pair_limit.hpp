@@ -24,7 +24,7 @@ class PairLimit final : public btOverlapFilterCallback {
   PairLimit(const btOverlappingPairCache& cache, OnReached on_reached)
       : cache_(cache), on_reached_(on_reached) {}
 
-  /// The cache may hold one pair more than the limit, which shows that the limit was exceeded.
+  /// Sets the limit. The cache may hold one pair more, which shows that the limit was exceeded.
   void set(std::uint64_t limit) {
     limit_ = static_cast<int>(std::min<std::uint64_t>(limit, kMaxCachedPairs - 1));
   }

@@ -16,8 +16,8 @@ namespace {
 /// A part of the cost of cells over all centres: a plan must cost less than this to replace them.
 constexpr double kPays = 0.75;
 
-/// The rule is correct only if the rounding of p +- S is small compared with r_max
-/// (docs/exactness.md, claim C).
+/// Throws LimitError unless the rounding of p +- S is small compared with r_max; otherwise the rule
+/// is not correct (docs/exactness.md, claim C).
 void require_chapter32(const PlanFacts& facts) {
   const double ulp = farthest_ulp(facts, chapter32::extent(facts.r_max));
   if (ulp <= facts.r_max / 2.0) return;

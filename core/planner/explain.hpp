@@ -31,8 +31,8 @@ struct Explanation {
                                       // the planner
 };
 
-/// `options` must be those that the plan was made with. `used` is what the data allowed in a run,
-/// if there was one.
+/// Explains a plan. `options` must be those that it was made with. `used` is what the data allowed
+/// in a run, if there was one.
 Explanation explain(const SceneStats& stats, const Plan& plan, const PlanOptions& options,
                     std::optional<Skips> used = {});
 

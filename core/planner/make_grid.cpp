@@ -77,7 +77,7 @@ CellWidth width_of(std::uint32_t units) {
   return width;
 }
 
-/// `columns`: how many columns a cell is cut into along x.
+/// Makes a grid with units of 2^k. `columns` says how many columns a cell is cut into along x.
 Grid grid_with_unit(const PlanFacts& facts, int k, double cell_side, std::uint32_t columns,
                     int most_bits) {
   Grid grid;

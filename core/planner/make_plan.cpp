@@ -33,7 +33,8 @@ std::uint64_t id_capacity(const SceneStats& stats, const Plan& plan) {
   return std::min(room, kMaxIds);
 }
 
-/// Eight pairs a sphere are enough for most scenes; pages that are not needed stay untouched.
+/// Returns room for eight pairs a sphere: enough for most scenes, and pages that are not needed
+/// stay untouched.
 std::uint64_t pair_capacity(std::uint64_t sphere_count, bool count_only) {
   return count_only ? 0 : 8 * sphere_count + 64;
 }

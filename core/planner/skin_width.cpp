@@ -27,8 +27,8 @@ void SkinWidth::reset(float most, const SkinCosts& costs, float static_share) {
   next_pause_ = kFirstPause;
 }
 
-/// `growth` is in mean radii. As in a gas, the number of neighbor pairs grows as the cube of the
-/// mean growth of two spheres.
+/// Returns the cost of a frame with a skin. `growth` is in mean radii. As in a gas, the number of
+/// neighbor pairs grows as the cube of the mean growth of two spheres.
 float SkinWidth::cost_a_frame(float growth, float frames) const {
   const float moving = 1.0F - static_share_;
   const float near = moving * moving * cube(1.0F + growth) +

@@ -266,7 +266,7 @@ class Bench {
     }
   }
 
-  /// Each round measures every row once; the order differs from round to round.
+  /// Measures every row once in each round; the order differs from round to round.
   void measure_rounds(const Group& group, std::vector<ActiveRow>& rows) {
     std::vector<ActiveRow*> order;
     for (ActiveRow& row : rows) {
@@ -287,13 +287,15 @@ class Bench {
     }
   }
 
-  /// A row with fewer rounds than its group takes part in rounds that are spread evenly.
+  /// Returns true if a row takes part in a round. If it has fewer rounds than its group, they are
+  /// spread evenly.
   static bool takes_part(int round, const Group& group, const RowRunner& runner) {
     const int own_rounds = group.rounds_of(runner.row().how.is_baseline());
     return round * own_rounds % group.rounds < own_rounds;
   }
 
-  /// A row may run out of memory here although it fitted before: all rows share the GPU's memory.
+  /// Measures a row, or marks it as skipped. It may run out of memory here although it fitted
+  /// before: all rows share the GPU's memory.
   static void measure(RowRunner& runner, const Group& group) {
     if (runner.result().skipped) return;
     try {

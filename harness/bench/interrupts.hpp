@@ -3,8 +3,8 @@
 
 namespace octocell::bench {
 
-/// From now on, the first Ctrl-C is only recorded, so that the current run can end; the second ends
-/// the program at once.
+/// Installs a handler: the first Ctrl-C is only recorded, so that the current run can end; the
+/// second ends the program at once.
 void listen_for_interrupts();
 bool interrupted();
 

@@ -78,7 +78,8 @@ class RowRunner {
   /// Throws LimitError if the row cannot run.
   virtual void verify_or_throw(double min_time_ms) = 0;
 
-  /// Call this once the pairs were found for the first time.
+  /// Records how much device memory is in use. Call it once the pairs were found for the first
+  /// time.
   void record_device_memory();
   void require_under_limit(const Counts& counts) const;
   /// Throws LimitError if there were fewer threads than the row's name says.

@@ -28,7 +28,8 @@ int require_output(int exit_code) {
   return complain_of_output();
 }
 
-/// CLI11 only says that a command is missing; this adds which word is not a command.
+/// Describes an error. CLI11 only says that a command is missing; this adds which word is not a
+/// command.
 std::string describe(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv) {
   const bool names_a_command = argc > 1 && argv[1][0] != '-';
   if (error.get_name() != "RequiredError" || !names_a_command) return error.what();

@@ -34,7 +34,7 @@ Enum enumerator_named(std::string_view what, std::string_view name,
   return static_cast<Enum>(found - names.begin());
 }
 
-/// For commands that cannot work without the backend. Throws LimitError with the reason.
+/// Throws LimitError with the reason if the backend cannot run here; for commands that need it.
 inline void require_available(const BackendInfo& backend) {
   if (const auto reason = backend.why_unavailable()) {
     throw LimitError(fmt::format("{} cannot run here: {}", backend.name, *reason));

@@ -61,7 +61,7 @@ class End {
   int fd_;
 };
 
-/// For the child. Writes all bytes or exits: errors cannot be reported.
+/// Writes all bytes or exits: errors cannot be reported. For the child.
 void write_whole(const End& pipe, Bytes bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(pipe.fd(), bytes.data(), bytes.size());

@@ -111,8 +111,8 @@ void step_gravity(World& world) {
   }
 }
 
-/// The bodies of static spheres move, too, but this is not shown: so other spheres draw the same
-/// random numbers with and without flags.
+/// Returns the spheres of a frame. The bodies of static spheres move, too, but this is not shown:
+/// so other spheres draw the same random numbers with and without flags.
 std::vector<Sphere> snapshot(const World& world, const std::vector<Sphere>& start,
                              std::span<const Flags> flags) {
   std::vector<Sphere> spheres;

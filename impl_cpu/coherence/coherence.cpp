@@ -120,7 +120,8 @@ bool Coherence::copy_pays(const Workspace& w) const {
   return repairs_pay(w) || (w.plan.allowed.has(Skip::unchanged) && none_moves());
 }
 
-/// The first frame has no sample yet and counts as if nothing moves.
+/// Returns true if no sphere of the sample moved; the first frame, without a sample, counts as
+/// such.
 bool Coherence::none_moves() const { return !motion_ || motion_->still_share == 1.0F; }
 
 bool Coherence::repairs_pay(const Workspace& w) const {
@@ -184,7 +185,7 @@ bool Coherence::make_list(Workspace& w) {
   return true;
 }
 
-/// If the list overflows, every sphere is searched.
+/// Searches with a skin; if the list overflows, searches every sphere.
 void Coherence::search_with_skin(Workspace& w) {
   if (near_.find(w)) return;
   skin_.left();

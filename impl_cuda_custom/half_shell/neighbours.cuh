@@ -79,8 +79,8 @@ __device__ inline RowStep shell_row(int row) {
 constexpr int kRowsAround = 9;
 __device__ inline RowStep row_around(int row) { return {row % 3 - 1, row / 3 - 1}; }
 
-/// For an open level: returns the columns from `back` before that of `id` to column_reach behind
-/// it.
+/// Returns the columns from `back` before that of `id` to column_reach behind it. For an open
+/// level.
 __device__ inline Run open_run(const CellStarts& starts, const Level& level, std::uint32_t id,
                                RowStep step, std::uint32_t back) {
   const auto first = std::int64_t{level.first_id};
@@ -112,8 +112,8 @@ __device__ inline bool step_along(const Grid& grid, int axis, int step, std::uin
   return true;
 }
 
-/// For any level. `around` selects the part beyond the border of a row that wraps; it is empty
-/// except for columns near that border.
+/// Returns the same run for any level. `around` selects the part beyond the border of a row that
+/// wraps; it is empty except for columns near that border.
 __device__ inline Run bordered_run(const CellStarts& starts, const Level& level, std::uint32_t id,
                                    RowStep step, std::uint32_t back, bool around) {
   const Grid& grid = level.grid;

@@ -249,7 +249,7 @@ class SortBench {
     file_.write(document_);
   }
 
-  /// Each round measures every row once; the order differs from round to round.
+  /// Measures every row once in each round; the order differs from round to round.
   void measure_rounds(const SortCase& what, std::vector<ActiveRow>& rows) {
     std::vector<ActiveRow*> order;
     for (ActiveRow& row : rows) order.push_back(&row);
