@@ -26,6 +26,8 @@ NAMED = "bullet_dbvt"  # the baseline that speeds are also compared with by name
 RUNS = ("cold", "warm")
 WITHOUT_FLAGS = "_without_flags"  # ends the name of a scene whose flags only say who moves
 
+_INTERVAL = "Ratios are medians over the rounds, in brackets their 99 % interval."
+
 Row = Any  # a named tuple of the columns of Result.frame
 
 
@@ -110,7 +112,7 @@ def correctness(result: Result) -> str:
         for order in sorted(wrong)
     ]
     note = (
-        f"{words.MINUS} pairs missed, + pairs that are none, × pairs given more than once; at the "
+        f"{words.MINUS} pairs missed, + pairs that do not overlap, × pairs given twice; at the "
         "largest size that is wrong."
     )
     below = [table(pd.DataFrame(lines, columns=["wrong", *result.scenes]), note)] if lines else []
@@ -161,9 +163,8 @@ def speed(result: Result) -> str:
         lines.append([label, *ratios, *(shown(rows.get(run)) for run in RUNS)])
     header = ["implementation", *(f"vs {title}" for title in columns)]
     note = (
-        f"Scene {SCENE}, {grouped(place.n)} spheres. Ratios are cold / warm, baseline time "
-        "by the row's time within interleaved rounds, median; above 1 is faster than the baseline. "
-        "Times are this machine's."
+        f"Scene {SCENE}, {grouped(place.n)} spheres. Ratios, cold / warm: the baseline's time "
+        "divided by the row's, median over interleaved rounds; above 1 the row is faster."
     )
     told = [_named(title, rows) for title, rows in references.items() if rows]
     lines = pd.DataFrame(lines, columns=[*header, *(f"{run} [ms]" for run in RUNS)])
@@ -195,9 +196,9 @@ def moving(result: Result) -> str:
     if not lines:
         raise ReportError("block 'moving' needs a moving scene, which the result does not have")
     note = (
-        "Median frame after those that settle a structure. We rebuild each frame unless we can "
-        "prove that nothing relevant moved; a library updates its structure. The ratio is the "
-        "library's fastest frame time by the row's."
+        "Median time of a frame, without the first ones, in which structures settle. We rebuild "
+        "each frame unless we can prove that nothing relevant moved; a library updates its "
+        "structure. Ratio: the library's fastest time divided by the row's."
     )
     header = ["scene", "spheres", "implementation", "frame [ms]"]
     header += [f"vs fastest {family_title(family)}" for family in families]
@@ -215,8 +216,7 @@ def against(result: Result) -> str:
     lines.insert(0, [ours.label, shown(ours), NONE])
     note = (
         f"{_title(group)}, {grouped(group.n)} spheres, cold, 1 thread, median of {ours.rounds} "
-        "interleaved rounds. Times as long: its time by that of the first row, median of the "
-        "rounds, in brackets their 99 % interval."
+        f"interleaved rounds. Times as long: its time divided by the first row's. {_INTERVAL}"
     )
     header = ["implementation", "time [ms]", "times as long"]
     return table(pd.DataFrame(lines, columns=header), note)
@@ -267,9 +267,8 @@ def kinds(result: Result, run: str) -> str:
             cells += [shown(row), "1" if group is first else longer(row, of)]
         lines.append(cells)
     note = (
-        f"{run.capitalize()}, the planned default, hosts with one thread; median of the rounds. "
-        f"Of {reference}: time per sphere and true pair by the time per sphere and true pair "
-        "there, median over the rounds, in brackets their 99 % interval."
+        f"{run.capitalize()}, the planned default, one thread on a CPU; median of the rounds. "
+        f"Of {reference}: time per sphere and true pair, divided by the same there. {_INTERVAL}"
     )
     header = ["scene", "spheres", "pairs"]
     header += [title for name in backends for title in (f"{name} [ms]", f"of {reference}")]
@@ -317,11 +316,10 @@ def frames(result: Result) -> str:
     of_frames = result.motion_frames.query("row == @first.Index")
     count = f"{len(of_frames)} frames, the first {of_frames['warmup'].sum()} left out"
     note = (
-        f"{grouped(first.n)} spheres, {count}; a round's time is its median frame. Ratios are "
-        "medians over the rounds, in brackets their 99 % interval. Of searching again: the same "
-        "rows, interleaved, with no frame taking over from the last. Of the same without flags: "
-        "the same spheres move, but nothing says that the others stand; measured one after the "
-        "other."
+        f"{grouped(first.n)} spheres, {count}; a round's time is its median frame. Of searching "
+        "again: divided by the time of the same row, in the same rounds, when no frame reuses "
+        "anything. Of the same without flags: divided by the time, measured apart, when the same "
+        f"spheres move, but no flag says that the others do not. {_INTERVAL}"
     )
     header = ["scene", "implementation", "frame [ms]", "of searching again"]
     header += ["of the same without flags"]

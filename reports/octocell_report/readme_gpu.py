@@ -50,8 +50,8 @@ def speed(result: Result) -> str:
     note = (
         f"Scene {SCENE}, warm, median of the rounds; of each backend the fastest exact variant at "
         f"that size ({', '.join(dict.fromkeys(code(row.label) for row in taken if row.counts))}). "
-        "Ratios are its time by ours, warm, within interleaved rounds, "
-        f"median; above 1 ours is faster. {NONE}: not measured."
+        "Ratio: its time divided by ours, median over interleaved rounds; above 1 ours is faster. "
+        f"{NONE}: not measured."
     )
     header = ["spheres", *(f"{name} [ms]" for name in (OURS, *EXTRA_RUNS.values(), *others))]
     header += [f"vs {name}" for name in others]
@@ -81,14 +81,14 @@ def stages(result: Result) -> str:
     lines.insert(0, "stage", [name if name == bandwidth.ALL else code(name) for name in names])
     labels = dict.fromkeys(code(here[n]["label"].iloc[0]) for n in sizes)
     copied = (
-        f"; of copy: by the {grouped(result.gpu.copy_gbps)} GB/s that a copy on this "
+        f"; of copy: divided by the {grouped(result.gpu.copy_gbps)} GB/s that a copy on this "
         f"{result.gpu.name} reads and writes"
         if result.gpu
         else ""
     )
     note = [
         f"{', '.join(labels)}, scene {SCENE}, warm, runs with stage marks, median of the rounds. "
-        f"GB/s: the least bytes that the stage must read and write, by its time{copied}."
+        f"GB/s: the least bytes that the stage must read and write, divided by its time{copied}."
     ]
     if any(here[n]["tiny"].any() for n in sizes):
         limit = f"{bandwidth.LAUNCH_US:g}"
@@ -139,7 +139,7 @@ def sorts(result: SortResult) -> str:
     where = f" on {gpu['name']}" if gpu else ""
     note = (
         f"10⁹ pairs a second{where} (32-bit key, 32-bit value), keys in random order, median of "
-        f"the rounds; in brackets the rate by {TITLES[CUB]}'s, above 1 is faster."
+        f"the rounds; in brackets the rate divided by {TITLES[CUB]}'s, above 1 is faster."
     )
     header = ["sort", "key bits", *(f"2^{n.bit_length() - 1}" for n in sizes)]
     return table(pd.DataFrame(lines, columns=header), note)

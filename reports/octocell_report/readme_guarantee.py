@@ -25,20 +25,20 @@ def guarantee(found: Verification) -> str:
         *(line for side in SIDES for line in _near_tangent(ties[ties["where"] == side], side)),
         [f"{catalogue}: answers", *_by_owner(stress[~bad], _answers)],
         ["– wrong answers", *_by_owner(stress[~bad], lambda rows: _bad(rows["wrong"].sum()))],
-        ["– pairs missed, false, given again", *_by_owner(stress[~bad], _losses)],
+        ["– pairs missed, false, repeated", *_by_owner(stress[~bad], _losses)],
         ["– crashed or too late", *_by_owner(stress[~bad], _unanswered)],
-        ["bad inputs tried, rejected by name", *_by_owner(stress[bad], _rejected)],
+        ["bad inputs tried, refused by name", *_by_owner(stress[bad], _rejected)],
         ["inputs made by fuzzers", _told(found["fuzz"], _fuzzed)],
-        ["faults planted in the sources and found", _told(_best(found["mutants"]), _killed)],
+        ["faults planted in the sources, found", _told(_best(found["mutants"]), _killed)],
         ["compilers and flags with one checksum", _told(found["compilers"], _configurations)],
         ["reports of sanitizers", _told(tools, _reports)],
     ]
     note = (
-        "A near-tangent pair is one with |D − R| ≤ 64 u R: its squared distance is so near to the "
-        "square of the sum of radii that float32 may fail to tell; each was decided and compared "
-        "with integers. Where nothing was wrong, 3/N bounds the rate with 95 %. "
-        f"{NONE}: not asked of a library. Libraries run with our exact test of a pair, so "
-        "that what they miss their broad phases lost."
+        "A near-tangent pair has |D − R| ≤ 64 u R: its squared distance is so close to the square "
+        "of the sum of radii that float32 may decide wrongly. Each answer was compared with "
+        "integers. Where none of N was wrong, the rate is below 3/N with 95 % confidence. "
+        f"{NONE}: not asked of a library. Libraries use our exact overlap test, so their broad "
+        "phases lost every pair that they miss."
     )
     told = table(DataFrame(lines, columns=["", *OWNERS]), note)
     return f"{told}\n\n{_sources(*found.values())}"
@@ -176,7 +176,7 @@ def stress(found: Verification) -> str:
     """By implementation, backends first: how its cases ended."""
     by = found["stress"].sort_values("kind", kind="stable").groupby("implementation", sort=False)
     lines = by[[*ENDINGS]].sum().assign(losses=[_losses(own) for _, own in by]).reset_index()
-    titles = f"implementation|{'|'.join(ENDINGS)}|missed, false, given again"
+    titles = f"implementation|{'|'.join(ENDINGS)}|missed, false, repeated"
     return _detailed(found["stress"], lines, titles)
 
 

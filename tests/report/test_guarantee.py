@@ -51,11 +51,11 @@ def test_the_table_adds_up_what_the_files_hold(tmp_path):
             "3 by 1 implementations",
         ],
         "– wrong answers": ["0", "**1**", "0"],
-        "– pairs missed, false, given again": ["0, 0, 0", "**9, 0, 4**", "0, 0, 0"],
+        "– pairs missed, false, repeated": ["0, 0, 0", "**9, 0, 4**", "0, 0, 0"],
         "– crashed or too late": ["0", "0", "**1**"],
-        "bad inputs tried, rejected by name": ["27 of 27", "–", "–"],
+        "bad inputs tried, refused by name": ["27 of 27", "–", "–"],
         "inputs made by fuzzers": [f"13{thin}000{thin}000, failures: 0", "–", "–"],
-        "faults planted in the sources and found": ["1 of 1 (1 not run)", "–", "–"],
+        "faults planted in the sources, found": ["1 of 1 (1 not run)", "–", "–"],
         "compilers and flags with one checksum": ["3", "–", "–"],
         "reports of sanitizers": ["0 in 413 tests (ASan + UBSan, TSan)", "–", "–"],
     }
@@ -86,7 +86,7 @@ def test_what_is_absent_was_not_run(tmp_path):
         (
             "mutants",
             synthetic_guarantee.mutants(fault("a"), fault("b", "survived")),
-            "faults planted in the sources and found",
+            "faults planted in the sources, found",
             "**1 of 2**",
         ),
     ],
@@ -100,7 +100,7 @@ def test_a_fault_is_judged_over_machines(tmp_path):
     first = synthetic_guarantee.mutants(fault("a", "not_run"), fault("b"), fault("c", "not_run"))
     second = synthetic_guarantee.mutants(fault("a"), fault("b", "survived"))
     folder = save(tmp_path, mutants=first, mutants_gpu=second)
-    assert told(folder)["faults planted in the sources and found"][0] == "**1 of 2** (1 not run)"
+    assert told(folder)["faults planted in the sources, found"][0] == "**1 of 2** (1 not run)"
     lines = told(folder, "guarantee_mutants")
     assert [lines[name][1] for name in "abc"] == [
         "killed",
@@ -209,7 +209,9 @@ def test_bad_files_are_named(tmp_path, kind, made, message):
 def test_an_interrupted_run_does_not_count(tmp_path):
     made = synthetic_guarantee.stress()
     made["context"]["finished"] = False
-    with pytest.raises(ReportError, match="context: the run was interrupted; only whole runs count"):
+    with pytest.raises(
+        ReportError, match="context: the run was interrupted; only whole runs count"
+    ):
         verification.read(save(tmp_path, stress=made))
 
 
