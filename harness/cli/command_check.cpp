@@ -43,6 +43,7 @@ enum class Grade : std::uint8_t { exact, wrong, known_issue, negative_control, s
 struct Verdict {
   Grade grade;
   std::string text;
+  std::string first_wrong = {};  // lines, if pairs are wrong
 };
 
 struct Limits {
@@ -74,6 +75,29 @@ std::string text_of(const reference::Comparison& difference, std::size_t true_pa
       wrong_pairs(difference.missed, true_pairs, "deepest", difference.worst_missed_depth),
       wrong_pairs(difference.false_pairs, true_pairs, "farthest apart", difference.worst_false_gap),
       difference.duplicates);
+}
+
+/// The options of `why` for the cells that an implementation uses; none for a baseline's own.
+std::string why_options(const Implementation& how) {
+  return how.has_rule() ? fmt::format("--rule {}", name_of(how.rule))
+                        : fmt::format("--method {}", how.method_name());
+}
+
+/// The first wrong pair of each kind, and the command that says why.
+std::string first_wrong_of(const Implementation& how, const reference::Comparison& difference,
+                           const std::string& scene) {
+  std::string text;
+  const auto add = [&](std::string_view kind, const std::optional<Pair>& pair) {
+    if (!pair) return;
+    text += fmt::format("      first {}: {} {}", kind, pair->i, pair->j);
+    if (!how.is_baseline())
+      text += fmt::format("; octocell why {} {} {} {}", scene, pair->i, pair->j, why_options(how));
+    text += "\n";
+  };
+  add("missed", difference.first_missed);
+  add("false", difference.first_false);
+  add("duplicate", difference.first_duplicate);
+  return text;
 }
 
 Verdict judge(const Implementation& how, const reference::Comparison& difference,
@@ -118,7 +142,10 @@ Verdict try_implementation(const Implementation& how, const Scene& scene,
       return {Grade::skipped, fmt::format("{} candidates, over the limit of {}",
                                           found.counts.candidates, options.candidate_limit)};
     }
-    return judge(how, reference::compare(found.pairs, truth, scene.spheres), truth.size());
+    const reference::Comparison difference = reference::compare(found.pairs, truth, scene.spheres);
+    Verdict verdict = judge(how, difference, truth.size());
+    verdict.first_wrong = first_wrong_of(how, difference, scene.spec);
+    return verdict;
   } catch (const LimitError& limit) {
     return {Grade::skipped, limit.what()};
   }
@@ -132,8 +159,12 @@ void print_verdict(const Implementation& how, const Verdict& verdict) {
   const std::string text =
       verdict.grade == Grade::skipped ? "skipped: " + verdict.text : verdict.text;
   fmt::print("  {:<42} ", how.label());
-  if (!colours) return fmt::print("{}\n", text);
-  fmt::print(fmt::fg(kColours[static_cast<std::size_t>(verdict.grade)]), "{}\n", text);
+  if (colours) {
+    fmt::print(fmt::fg(kColours[static_cast<std::size_t>(verdict.grade)]), "{}\n", text);
+  } else {
+    fmt::print("{}\n", text);
+  }
+  fmt::print("{}", verdict.first_wrong);
 }
 
 std::vector<std::string> scenes_or_default(const Options& options) {

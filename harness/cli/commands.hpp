@@ -14,6 +14,7 @@ using Command = std::function<int()>;
 void add_list(CLI::App& app, Command& command);
 void add_find(CLI::App& app, Command& command);
 void add_explain(CLI::App& app, Command& command);
+void add_why(CLI::App& app, Command& command);
 void add_generate(CLI::App& app, Command& command);
 
 /// Adds the commands below, which need FCL, Bullet, GMP and Google Benchmark. A build without these

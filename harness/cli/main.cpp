@@ -52,6 +52,7 @@ int parse_and_run(int argc, char** argv) {
   cli::add_list(app, command);
   cli::add_find(app, command);
   cli::add_explain(app, command);
+  cli::add_why(app, command);
   cli::add_generate(app, command);
   cli::add_developer_commands(app, command);
   try {

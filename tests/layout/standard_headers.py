@@ -18,7 +18,7 @@ HEADERS = {
     " shuffle sort stable_sort transform upper_bound"
     " ranges::all_of ranges::any_of ranges::copy ranges::count ranges::count_if ranges::equal"
     " ranges::fill ranges::find ranges::find_if ranges::lower_bound ranges::minmax_element"
-    " ranges::none_of ranges::sort ranges::stable_sort ranges::upper_bound",
+    " ranges::none_of ranges::sort ranges::stable_partition ranges::stable_sort ranges::upper_bound",
     "array": "array",
     "atomic": "atomic memory_order_relaxed",
     "bit": "bit_cast bit_width countr_zero endian has_single_bit popcount",

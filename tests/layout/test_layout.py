@@ -31,6 +31,7 @@ MAY_INCLUDE: dict[str, tuple[str, ...]] = {
     "harness/scenes/": ("core/",),
     "harness/files/": ("core/", "harness/scenes/"),
     "harness/engine/": ("core/", "core/planner/", *BACKENDS, "baselines/"),
+    "harness/trace/": ("core/", "core/planner/"),
     "harness/verify/reference/": ("core/", "harness/scenes/scene.hpp"),
     "harness/verify/near_tangent/": ("core/",),
     "harness/verify/stress/": (

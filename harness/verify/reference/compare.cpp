@@ -18,14 +18,16 @@ class Tally {
       : difference_(difference), spheres_(spheres) {}
 
   void miss(Pair pair) {
-    ++difference_.missed;
+    if (difference_.missed++ == 0) difference_.first_missed = pair;
     if (!spheres_.empty()) keep_worst(difference_.worst_missed_depth, depth_of(pair));
   }
   void falsely_report(Pair pair) {
-    ++difference_.false_pairs;
+    if (difference_.false_pairs++ == 0) difference_.first_false = pair;
     if (!spheres_.empty()) keep_worst(difference_.worst_false_gap, -depth_of(pair));
   }
-  void repeat() { ++difference_.duplicates; }
+  void repeat(Pair pair) {
+    if (difference_.duplicates++ == 0) difference_.first_duplicate = pair;
+  }
 
  private:
   [[nodiscard]] double depth_of(Pair pair) const {
@@ -48,7 +50,7 @@ Comparison compare(std::span<const Pair> answer, std::span<const Pair> truth,
   auto expected = truth.begin();
   for (std::size_t k = 0; k < answer.size(); ++k) {
     if (k > 0 && answer[k] == answer[k - 1]) {
-      tally.repeat();
+      tally.repeat(answer[k]);
       continue;
     }
     while (expected != truth.end() && *expected < answer[k]) tally.miss(*expected++);

@@ -76,6 +76,10 @@ struct Comparison {
   /// were given.
   std::optional<double> worst_missed_depth = {};
   std::optional<double> worst_false_gap = {};
+  /// The first pair of each kind, in the order of pairs.
+  std::optional<Pair> first_missed = {};
+  std::optional<Pair> first_false = {};
+  std::optional<Pair> first_duplicate = {};
   [[nodiscard]] bool only_missed() const { return false_pairs == 0 && duplicates == 0; }
   [[nodiscard]] bool exact() const { return missed == 0 && only_missed(); }
 };
