@@ -1,19 +1,41 @@
 # SPDX-License-Identifier: MIT
-"""The bench JSON, read and checked: what gets past load() needs no second look."""
+"""The bench JSON, read and checked, as pandas frames: what gets past load() needs no second look.
+
+`frame` and `variants_frame` of a Result have a line per row of the JSON (skipped rows too), in its
+order, and its fields as columns, except that `predicate` is None where it is `exact`. Beside them:
+
+    label order     of the implementation: its short name, unique, and its place in tables
+    side family     backend (on the host), device or baseline; the library of a baseline (fcl)
+    ran             False: skipped, so there are no numbers
+    counts          exact and no negative control, so its time may stand alone
+    excused         wrong, but only by its library's known issues
+    motion          how spheres move; None at rest
+    round_ms        tuple, a time per round: the steady frame of moving scenes, else total_ms
+    median_ms min_ms max_ms rounds ns_per_sphere        of round_ms
+    beyond_bytes    bytes per sphere beyond input and output; NaN on a device
+    candidates_per_pair                                 NaN without true pairs
+    group truth_pairs truth_checksum scene_class real   of the row's group; its place in `groups`
+
+Whole numbers that may be absent are of dtype Int64 (pd.NA where absent), other numbers are floats
+(NaN), texts are objects (None).
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from statistics import median
 from typing import Any
 
+import numpy as np
 import pandas as pd
+from msgspec.structs import asdict
 
-from octocell_report.fields import Json, ReportError, convert, naming, shown
+from octocell_report.fields import Json, ReportError, convert, shown
 from octocell_report.files import read_json
-from octocell_report.row_frame import labels, motion_frame, rows_frame, stages_frame
+from octocell_report.predicates import EXACT
 from octocell_report.schema import (
     DEVICE_RUNS,
     KINDS,
@@ -41,42 +63,65 @@ __all__ = [
 ]
 
 SCHEMA = 2
-SIDES = ("backend", "device", "baseline")  # ours on the host, ours on a device, and the others
+_IMPLEMENTATION = ["backend", "method", "rule", "threads", "predicate"]  # what is compared
+_TYPES = {
+    **dict.fromkeys(("n", "threads", "rounds"), "int64"),
+    **dict.fromkeys(("negative_control", "ran", "counts", "excused"), "bool"),
+    **dict.fromkeys(("pairs", "missed", "false", "duplicates", "candidates"), "Int64"),
+    **dict.fromkeys(("uncertain_pairs", "distinct_checksums"), "Int64"),
+    **dict.fromkeys(("peak_bytes", "device_bytes", "output_bytes"), "Int64"),
+    **dict.fromkeys(("plan_ms", "median_ms", "min_ms", "max_ms"), "float64"),
+    **dict.fromkeys(("worst_missed_depth", "worst_false_gap"), "float64"),
+}
+_DERIVED = (
+    *("ran", "counts", "excused", "motion", "family", "round_ms", "median_ms", "min_ms", "max_ms"),
+    "rounds",
+)
 
 
 @dataclass(frozen=True)
 class Result:
     context: Json
     groups: list[Group]
-    rows: list[Row]  # as users have them
+    frame: pd.DataFrame  # rows as users have them
+    variants_frame: pd.DataFrame  # planned rows with skips forbidden
     absent: dict[str, str]  # backends that could not run at all, and why; they have no rows here
-    gpu: Gpu | None = None  # that the device rows ran on
-    variants: list[Row] = field(default_factory=list)  # planned rows with skips forbidden
-
-    @cached_property
-    def frame(self) -> pd.DataFrame:
-        """A line per row as users have them; row_frame.py lists the columns."""
-        return rows_frame(self, self.rows)
-
-    @cached_property
-    def variants_frame(self) -> pd.DataFrame:
-        """The same for planned rows with skips forbidden."""
-        return rows_frame(self, self.variants)
+    gpu: Gpu | None  # that the device rows ran on
+    rows: list[Row]
+    variants: list[Row]
 
     @cached_property
     def stages(self) -> pd.DataFrame:
-        """A line per row and stage; row_frame.py lists the columns."""
-        return stages_frame(self.rows)
+        """A line per row (its index in `frame`) and stage, in the order in which stages run.
+
+        A stage whose time another one holds has `fused_into`, and no time of its own.
+        """
+        lines: list[tuple[Any, ...]] = []
+        for row in self.frame.itertuples():
+            least = row.stage_bytes.get
+            lines += [
+                *((row.Index, s, ms, median(ms), least(s), None) for s, ms in row.stage_ms.items()),
+                *((row.Index, s, (), np.nan, least(s), host) for s, host in row.fused.items()),
+            ]
+        columns = ["row", "stage", "round_ms", "median_ms", "least_bytes", "fused_into"]
+        types = {"median_ms": "float64", "least_bytes": "Int64"}
+        return pd.DataFrame(lines, columns=columns, dtype=object).astype(types).infer_objects()
 
     @cached_property
     def motion_frames(self) -> pd.DataFrame:
-        """A line per row and frame of a moving scene; row_frame.py lists the columns."""
-        return motion_frame(self.rows)
+        """A line per row (its index in `frame`) and frame of a moving scene: over the rounds."""
+        lines = [
+            (row.Index, frame, frame < row.frames.warmup, median(ms), min(ms), max(ms))
+            for row in self.frame.itertuples()
+            if row.frames
+            for frame, ms in enumerate(zip(*row.frames.frame_ms, strict=True))
+        ]
+        columns = ["row", "frame", "warmup", "median_ms", "min_ms", "max_ms"]
+        return pd.DataFrame(lines, columns=columns)
 
     @cached_property
     def labels(self) -> dict[Impl, str]:
-        """One label per implementation, as short as it can be while no two are the same."""
-        return labels(self.impls)
+        return dict(zip(self.impls, self.frame.sort_values("order")["label"].unique(), strict=True))
 
     @property
     def impls(self) -> list[Impl]:
@@ -127,53 +172,116 @@ def parse(document: Any) -> Result:
     """The same for a document already decoded."""
     if not isinstance(document, dict) or "schema" not in document:
         raise ReportError("not a bench result: it has no field 'schema'")
-    if document["schema"] != SCHEMA or isinstance(document["schema"], bool):
-        raise ReportError(
-            f"schema {shown(document['schema'])} is not the schema {SCHEMA} read here"
-        )
+    schema = document["schema"]
+    if schema != SCHEMA or isinstance(schema, bool):
+        raise ReportError(f"schema {shown(schema)} is not the schema {SCHEMA} read here")
     found = convert(document, Document)
-    groups = {group.place: group for group in found.groups}
-    names: set[str] = set()
-    for index, row in enumerate(found.rows):
-        with naming(f"rows[{index}] ({row.name})"):
-            if row.name in names:
-                raise ReportError("an earlier row has the same name")
-            names.add(row.name)
-            _check_truth(row, groups.get(row.place))
-    absent = _absent(found.rows)
-    present = [row for row in found.rows if row.backend not in absent]
+    frame = _rows(found)
+    _check_together(frame)
+    absent = _absent(frame)
+    frame = frame[~frame["backend"].isin(absent)]
+    default, variants = frame[frame["skips"].isna()], frame[frame["skips"].notna()]
+    known = _implementations(default)
     return Result(
         context=document["context"],
         groups=found.groups,
-        rows=[row for row in present if row.skips is None],
+        frame=_with_implementations(default, known),
+        variants_frame=_with_implementations(variants, known),
         absent=absent,
         gpu=found.context.gpu,
-        variants=[row for row in present if row.skips is not None],
+        rows=[found.rows[i] for i in default.index],
+        variants=[found.rows[i] for i in variants.index],
     )
 
 
-def _check_truth(row: Row, group: Group | None) -> None:
-    """What no row shows alone: its group exists, and a digest that is said to be right is."""
-    if group is None:
-        raise ReportError(f"no group has scene {row.scene}, n {row.n}")
-    if row.status != "ok":
-        return
-    if group.truth is None:
-        raise ReportError("says ok, but its group has no truth to be compared with")
-    losses = (row.missed or 0) + (row.false or 0) + (row.duplicates or 0)
-    if losses > 0 or (row.pairs, row.checksum) != (group.truth.pairs, group.truth.checksum):
-        raise ReportError("says ok, but its pairs differ from its group's truth")
+def _rows(found: Document) -> pd.DataFrame:
+    """The rows with their groups, and what follows from a row alone."""
+
+    def line(row: Row) -> dict[str, Any]:
+        times, ours = row.round_ms, row.kind == "backend"
+        return asdict(row) | {
+            "predicate": row.predicate if row.predicate != EXACT else None,
+            "family": row.backend if ours else row.backend.split("_", 1)[0],
+            **{"ran": row.status != "skipped", "counts": row.counts, "excused": row.excused},
+            "motion": row.frames.scene if row.frames else None,
+            **{"round_ms": times, "rounds": len(times), "median_ms": row.median_ms},
+            **{"min_ms": min(times, default=None), "max_ms": max(times, default=None)},
+        }
+
+    columns = [*Row.__struct_fields__, *_DERIVED]
+    rows = pd.DataFrame(map(line, found.rows), columns=columns, dtype=object).astype(_TYPES)
+    groups = pd.DataFrame(
+        [
+            (i, g.scene, g.n, g.truth_pairs, g.truth and g.truth.checksum, g.scene_class, g.real)
+            for i, g in enumerate(found.groups)
+        ],
+        columns=["group", "scene", "n", "truth_pairs", "truth_checksum", "scene_class", "real"],
+    ).astype({"group": "Int64", "n": "int64", "truth_pairs": "Int64"})
+    frame = rows.merge(
+        groups.drop_duplicates(["scene", "n"], keep="last"), on=["scene", "n"], how="left"
+    )
+    n = frame["n"].where(frame["n"] > 0).astype("float64")
+    truth = frame["truth_pairs"].where(frame["truth_pairs"] > 0).astype("float64")
+    beyond = (frame["peak_bytes"] - frame["output_bytes"].fillna(0)).astype("float64") / n
+    return frame.assign(
+        ns_per_sphere=frame["median_ms"] * 1e6 / n,
+        beyond_bytes=beyond.where(frame["device_bytes"].isna()),
+        candidates_per_pair=frame["candidates"].astype("float64") / truth,
+    )
 
 
-def _absent(rows: list[Row]) -> dict[str, str]:
+def _check_together(frame: pd.DataFrame) -> None:
+    """What no row shows alone: names met once, groups that exist, digests that fit the truth."""
+    ok, truth = frame["status"] == "ok", frame["truth_pairs"]
+    losses = frame[["missed", "false", "duplicates"]].fillna(0).sum(axis=1) > 0
+    differs = (frame["pairs"] != truth) | (frame["checksum"] != frame["truth_checksum"])
+    for bad, why in (
+        (frame["name"].duplicated(), "an earlier row has the same name"),
+        (frame["group"].isna(), "no group has its scene and n"),
+        (ok & truth.isna(), "says ok, but its group has no truth to be compared with"),
+        (ok & (losses | differs), "says ok, but its pairs differ from its group's truth"),
+    ):
+        for index, name in frame.loc[bad, "name"].items():
+            raise ReportError(f"rows[{index}] ({name}): {why}")
+
+
+def _absent(frame: pd.DataFrame) -> dict[str, str]:
     """Backends whose rows were all skipped for one reason: no device, say."""
-    reasons: dict[str, set[str | None]] = {}
-    for row in rows:
-        if row.kind == "backend":
-            skipped = row.reason if row.status == "skipped" else None
-            reasons.setdefault(row.impl.backend, set()).add(skipped)
+    ours = frame[frame["kind"] == "backend"].groupby("backend", sort=False)
     return {
-        backend: reason
-        for backend, (reason, *others) in reasons.items()
-        if reason is not None and not others
+        backend: rows["reason"].iloc[0]
+        for backend, rows in ours
+        if not rows["ran"].any() and rows["reason"].nunique() == 1
     }
+
+
+def _implementations(frame: pd.DataFrame) -> pd.DataFrame:
+    """In table order (backends before baselines, else as first met), with a label for each."""
+    found = frame.drop_duplicates(_IMPLEMENTATION).sort_values("kind", kind="stable")
+    methods = found.groupby(["backend", "rule"], dropna=False)["method"]
+    found = found.assign(methods=methods.transform("nunique", dropna=False))
+    threaded = found["threads"].nunique() > 1
+
+    def label(row: Any) -> str:
+        """As short as it can be while no two are the same."""
+        both = row.rule and row.method and row.methods > 1
+        words = [row.backend, f"{row.method}/{row.rule}" if both else row.rule or row.method]
+        words += [
+            row.predicate,
+            f"({row.threads} threads)" if threaded and row.threads != 1 else "",
+        ]
+        return " ".join(filter(None, words))
+
+    on_device = found["backend"].isin(frame.loc[frame["device_bytes"].notna(), "backend"])
+    return found[_IMPLEMENTATION].assign(
+        label=[label(row) for row in found.itertuples()],
+        order=range(len(found)),
+        side=found["kind"].mask(on_device, "device"),
+    )
+
+
+def _with_implementations(frame: pd.DataFrame, known: pd.DataFrame) -> pd.DataFrame:
+    """An implementation that only a variant has comes last, under the name of its backend."""
+    frame = frame.merge(known, on=_IMPLEMENTATION, how="left")
+    last = {"label": frame["backend"], "side": frame["kind"], "order": len(known)}
+    return frame.fillna(last).astype({"order": "int64"})

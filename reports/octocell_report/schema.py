@@ -170,7 +170,7 @@ class Row(Struct):
     output_bytes: Whole | None
     device_bytes: Whole | None = None  # the most device memory at a time; null on the host
     stage_bytes: dict[Text, Whole] = {}  # the least that a stage must read and write
-    motion: Motion | None = field(default=None, name="frames")
+    frames: Motion | None = None
     known_issues: Text | None = None  # why its library can lose pairs however it is driven
     skips: Name | None = None  # which variant of the planned row it is; null for those of users
     plan: Plan | None = None
@@ -192,6 +192,10 @@ class Row(Struct):
             raise ValueError(f"'skips' is set, but its method is not {PLANNED}")
         known = sorted(self.stage_ms.items(), key=lambda item: _rank(item[0]))
         self.stage_ms = {stage: ms for stage, ms in known if ms}
+
+    @property
+    def motion(self) -> Motion | None:
+        return self.frames
 
     @property
     def impl(self) -> Impl:

@@ -90,7 +90,7 @@ def test_what_lacks_a_field_is_named(where):
         ({"pairs": 7}, "says ok, but its pairs differ"),
         ({"checksum": "0x0"}, "says ok, but its pairs differ"),
         ({"missed": 1}, "says ok, but its pairs differ"),
-        ({"scene": "fog"}, "no group has scene fog"),
+        ({"scene": "fog"}, "no group has its scene and n"),
         ({"status": "skipped"}, "says skipped, but has a time, or no reason"),
         ({"status": "skipped", "total_ms": []}, "says skipped, but has a time, or no reason"),
         ({"skips": "no_sort"}, "'skips' is set, but its method is not planned"),
