@@ -46,7 +46,8 @@ def compare(old: Result, new: Result, threshold: float) -> pd.DataFrame:
     times = both[["median_ms_old", "median_ms_new"]]
     timed = scene & both["counts_old"] & both["counts_new"] & (times > 0).all(axis=1)
     rounds = zip(timed, both["round_ms_old"], both["round_ms_new"], strict=True)
-    both[["low", "high"]] = [interval(*pair) if fits else (np.nan,) * 2 for fits, *pair in rounds]
+    spans = [interval(*pair) if fits else (np.nan, np.nan) for fits, *pair in rounds]
+    both = both.join(pd.DataFrame(spans, both.index, ["low", "high"], "float64"))
     both["ratio"] = (times["median_ms_new"] / times["median_ms_old"]).where(timed)
     few = both[["rounds_old", "rounds_new"]].min(axis=1) < LEAST_ROUNDS
     both["verdict"] = np.select(
