@@ -127,10 +127,8 @@ def _right(result: Result, order: int, scene: str) -> str:
         losses = wrong[["missed", "false", "duplicates"]].sum(axis=1)
         worst = wrong.assign(losses=losses).sort_values(["n", "losses"]).iloc[-1]
         return f"{bold(words.losses(worst))} at {words.size(worst['n'])}"
-    exact, sizes = (
-        rows[rows["status"] == "ok"]["n"].nunique(),
-        sum(group.scene == scene for group in result.groups),
-    )
+    exact = rows[rows["status"] == "ok"]["n"].nunique()
+    sizes = sum(group.scene == scene for group in result.groups)
     if exact:
         return "exact" if exact == sizes else f"exact, {exact} of {sizes} sizes"
     return "skipped" if len(rows) else NONE
@@ -181,28 +179,22 @@ def _named(title: str, rows: dict[str, Row]) -> str:
 
 def moving(result: Result) -> str:
     """Scenes that move, each at its largest size: a frame's time, once settled."""
-    rows, families = chosen(result.frame, run="dynamic", counts=True), tables.families(result)
-    rows = rows[rows["n"] == rows.groupby("scene")["n"].transform("max")]
-    lines = []
-    for scene in (scene for scene in result.scenes if scene in set(rows["scene"])):
-        for _, here in chosen(rows, scene=scene).groupby("motion", sort=False, dropna=False):
-            references = [best(here, family=family, kind="baseline") for family in families]
-            lines += [
-                [row.scene, grouped(row.n), row.label, shown(row)]
-                + [faster(row, reference) for reference in references]
-                for row in chosen(here, kind="backend").itertuples()
-                if any(references)
-            ]
-    if not lines:
+    rows = tables.speedups(result).query("run == 'dynamic'")
+    if rows.empty:
         raise ReportError("block 'moving' needs a moving scene, which the result does not have")
+    rows = rows[rows["n"] == rows.groupby("scene")["n"].transform("max")]
+    named = {"scene": "scene", "n": "spheres", "label": "implementation", "median_ms": "frame [ms]"}
+    keys = ["group", "motion", "order", *named]
+    ratios = rows.assign(ratio=[words.ratio(median(rounds)) for rounds in rows["ratios"]])
+    lines = ratios.pivot(index=keys, columns="family_ref", values="ratio")[tables.families(result)]
+    lines = lines.rename(columns=lambda family: f"vs fastest {family_title(family)}").reset_index()
+    lines = lines.assign(n=lines["n"].map(grouped), median_ms=lines["median_ms"].map(number))
     note = (
         "Median time of a frame, without the first ones, in which structures settle. We rebuild "
         "each frame unless we can prove that nothing relevant moved; a library updates its "
         "structure. Ratio: the library's fastest time divided by the row's."
     )
-    header = ["scene", "spheres", "implementation", "frame [ms]"]
-    header += [f"vs fastest {family_title(family)}" for family in families]
-    return table(pd.DataFrame(lines, columns=header), note)
+    return table(lines.drop(columns=keys[:3]).rename(columns=named), note)
 
 
 def against(result: Result) -> str:
