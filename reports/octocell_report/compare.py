@@ -11,7 +11,7 @@ there is none: such rows are never called faster or slower.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -19,7 +19,7 @@ import pandas as pd
 
 from octocell_report import words
 from octocell_report.load import Result, Row
-from octocell_report.spread import LEAST_ROUNDS, SHARE, TAILS, drawn_medians
+from octocell_report.spread import LEAST_ROUNDS, SHARE, drawn_medians, middle
 
 # What the rows of both files may be called, and how the summary counts them.
 TIMED = {
@@ -61,14 +61,13 @@ def compare(old: Result, new: Result, threshold: float) -> pd.DataFrame:
     return both
 
 
-def interval(old: Iterable[float], new: Iterable[float]) -> tuple[float, float]:
+def interval(old: tuple[float, ...], new: tuple[float, ...]) -> tuple[float, float]:
     """Of new median / old median; the same for the same times, as its random numbers are fixed."""
     random = np.random.default_rng(1)
-    below, above = (drawn_medians(np.asarray(list(times)), random) for times in (old, new))
+    below, above = (drawn_medians(times, random) for times in (old, new))
     # A round of no time at all may be drawn; the ratio is then beyond all bounds, as it should be.
     with np.errstate(divide="ignore", invalid="ignore"):
-        low, high = np.nanpercentile(above / below, TAILS, method="inverted_cdf")
-    return float(low), float(high)
+        return middle(above / below)
 
 
 _MACHINE = ("cpu", "cores", "memory_bytes", "os", "name")

@@ -39,14 +39,6 @@ class Estimate(NamedTuple):
         return self.judged and self.high < limit
 
 
-def tails(share: float) -> tuple[float, float]:
-    """Where the middle share begins and ends; all in per cent."""
-    return (100 - share) / 2, (100 + share) / 2
-
-
-TAILS = tails(SHARE)
-
-
 def ratios(above: tuple[float, ...], below: tuple[float, ...]) -> tuple[float, ...]:
     """Of the rounds that both have; without those in which the latter took no time."""
     return tuple(a / b for a, b in zip(above, below, strict=False) if b > 0)
@@ -55,12 +47,18 @@ def ratios(above: tuple[float, ...], below: tuple[float, ...]) -> tuple[float, .
 @cache
 def estimate(values: tuple[float, ...], share: float = SHARE) -> Estimate:
     """Of one value a round; there must be one."""
-    drawn = drawn_medians(np.asarray(values), np.random.default_rng(1))
-    low, high = np.percentile(drawn, tails(share), method="inverted_cdf")
-    return Estimate(median(values), float(low), float(high), len(values))
+    drawn = drawn_medians(values, np.random.default_rng(1))
+    return Estimate(median(values), *middle(drawn, share), len(values))
 
 
-def drawn_medians(times: Times, random: np.random.Generator) -> Times:
+def drawn_medians(times: tuple[float, ...], random: np.random.Generator) -> Times:
     drawn = random.integers(0, len(times), size=(_DRAWS, len(times)))
-    medians: Times = np.median(times[drawn], axis=1)
+    medians: Times = np.median(np.asarray(times)[drawn], axis=1)
     return medians
+
+
+def middle(values: Times, share: float = SHARE) -> tuple[float, float]:
+    """Where the middle share begins and ends."""
+    edges = (100 - share) / 2, (100 + share) / 2
+    low, high = np.nanpercentile(values, edges, method="inverted_cdf")
+    return float(low), float(high)
