@@ -11,114 +11,121 @@ import numpy as np
 import pandas as pd
 
 from octocell_report import bandwidth, tables, words
-from octocell_report.load import DEVICE_RUNS, Result
+from octocell_report.load import DEVICE_RUNS, RUNS, Result
 from octocell_report.spread import Estimate
 
-_TIMES = [
-    *("scene", "n", "implementation", "method", "rule", "threads", "run", "motion", "status"),
-    *("negative_control", "missed", "false", "duplicates", "median_ms", "min_ms", "max_ms"),
-    *("rounds", "plan_ms", "ns_per_sphere", "candidates_per_pair", "uncertain_pairs"),
-    *("bytes_per_sphere_beyond", "device_bytes"),
-]
+_CALLED = {  # columns that CSV files call otherwise
+    "label": "implementation",
+    "label_ref": "reference",
+    "family_ref": "against",
+    "beyond_bytes": "bytes_per_sphere_beyond",
+    "ms": "median_ms",
+    "gbps": "gigabytes_per_second",
+    "share": "share_of_copy",
+    "tiny": "too_little_to_tell",
+}
+_TIMES = (
+    "scene n label method rule threads run motion status negative_control missed false duplicates "
+    "median_ms min_ms max_ms rounds plan_ms ns_per_sphere candidates_per_pair uncertain_pairs "
+    "beyond_bytes device_bytes"
+)
 
 
-def times_frame(result: Result) -> pd.DataFrame:
+def _picked(frame: pd.DataFrame, columns: str) -> pd.DataFrame:
+    return frame[columns.split()].rename(columns=_CALLED)
+
+
+def times(result: Result) -> pd.DataFrame:
     """Every row that ran; a time stands next to its status."""
-    return _rows(result)[result.frame["ran"]][_TIMES]
+    return _picked(result.frame[result.frame["ran"]], _TIMES)
 
 
-def _rows(result: Result) -> pd.DataFrame:
-    names = {"label": "implementation", "beyond_bytes": "bytes_per_sphere_beyond"}
-    return result.frame.rename(columns=names)
-
-
-def slopes_frame(result: Result) -> pd.DataFrame:
-    labels = words.labels(result)
+def slopes(result: Result) -> pd.DataFrame:
+    """The exponent b of time = a n^b, fitted to the medians of exact rows of two sizes or more."""
+    rows = result.frame
+    fits = rows["counts"] & (rows["n"] > 0) & (rows["median_ms"] > 0)
+    rows = rows[fits & (rows["run"] != tables.DYNAMIC)].sort_values("n", kind="stable")
+    runs = [run for run in RUNS if run not in DEVICE_RUNS] + [*DEVICE_RUNS]
+    keys = [rows["run"].map(runs.index), rows["scene"].map(result.scenes.index), rows["order"]]
     return pd.DataFrame(
         {
-            "scene": scene,
-            "run": run,
-            "implementation": labels[impl],
-            "sizes": len(rows),
-            "slope": tables.slope(rows),
+            **curve[["scene", "run", "label"]].iloc[0].rename(_CALLED),
+            "sizes": len(curve),
+            "slope": np.polyfit(np.log(curve["n"]), np.log(curve["median_ms"]), 1)[0],
         }
-        for run in (*tables.runs(result), *DEVICE_RUNS)
-        for scene in result.scenes
-        for impl, rows in tables.curves(result, scene, run).items()
-        if tables.slope(rows) is not None
+        for _, curve in rows.groupby(keys)
+        if curve["n"].nunique() > 1
     )
 
 
-def ratios_frame(result: Result) -> pd.DataFrame:
+def ratios(result: Result) -> pd.DataFrame:
+    """How many times as fast as each library's fastest, over the rounds."""
     found = tables.speedups(result)
-    columns = ["scene", "n", "run", "own_run", "motion", "label", "family_ref", "label_ref"]
-    names = {"label": "implementation", "family_ref": "against", "label_ref": "reference"}
-    spans = found["ratios"].map(
-        lambda rounds: (median(rounds), min(rounds), max(rounds), len(rounds))
-    )
-    spans = pd.DataFrame(
-        [*spans], found.index, columns=["times_as_fast_median", "min", "max", "rounds"]
-    )
-    return found[columns].rename(columns=names).join(spans)
-
-
-def stages_frame(result: Result) -> pd.DataFrame:
-    """Long form; a fused stage names the stage that holds its time and has none of its own."""
-    columns = ["scene", "n", "implementation", "run", "status"]
-    found = result.stages.join(_rows(result)[columns], on="row")
-    return found[[*columns, "stage", "median_ms", "fused_into"]]
-
-
-def bandwidth_frame(result: Result) -> pd.DataFrame:
-    """Long form; what a stage must move over the time that it took."""
-    labels = words.labels(result)
-    return pd.DataFrame(
-        {
-            "scene": rate.row.place.scene,
-            "n": rate.row.place.n,
-            "implementation": labels[rate.row.impl],
-            "run": rate.row.run,
-            "stage": rate.stage,
-            "least_bytes": rate.least_bytes,
-            "median_ms": rate.ms,
-            "gigabytes_per_second": rate.gbps,
-            "copy_gigabytes_per_second": result.gpu.copy_gbps if result.gpu else None,
-            "share_of_copy": rate.share,
-            "too_little_to_tell": rate.tiny,
-        }
-        for row in bandwidth.rows(result)
-        for rate in bandwidth.rates(result, row)
+    rounds = found["ratios"]
+    return _picked(found, "scene n run own_run motion label family_ref label_ref").assign(
+        times_as_fast_median=rounds.map(median),
+        min=rounds.map(min),
+        max=rounds.map(max),
+        rounds=rounds.map(len),
     )
 
 
-def motion_frame(result: Result) -> pd.DataFrame:
-    """Long form, one line per frame: over the rounds."""
-    columns = ["scene", "n", "motion", "implementation", "status"]
-    rows = _rows(result)
-    courses = rows.groupby(["scene", "n", "motion"], sort=False).ngroup().rename("course")
-    found = result.motion_frames.join(rows[[*columns, "order"]].join(courses), on="row")
+def stages(result: Result) -> pd.DataFrame:
+    """A fused stage names the stage that holds its time and has none of its own."""
+    rows = result.frame[["scene", "n", "label", "run", "status"]]
+    found = result.stages.join(rows, on="row")
+    return _picked(found, "scene n label run status stage median_ms fused_into")
+
+
+def rates(result: Result) -> pd.DataFrame:
+    """What a stage must move, by the time that it took."""
+    found = bandwidth.frame(result)
+    found = found[(found["stage"] != bandwidth.ALL) & (found["least_bytes"] > 0)]
+    found = found.assign(copy_gigabytes_per_second=result.gpu.copy_gbps if result.gpu else None)
+    columns = "scene n label run stage least_bytes ms gbps copy_gigabytes_per_second share tiny"
+    return _picked(found, columns)
+
+
+def motion(result: Result) -> pd.DataFrame:
+    """A line per frame of a moving scene, over the rounds."""
+    rows = result.frame
+    rows = rows.assign(course=rows.groupby(["scene", "n", "motion"], sort=False).ngroup())
+    columns = ["scene", "n", "motion", "label", "status", "course", "order"]
+    found = result.motion_frames.join(rows[columns], on="row")
     found = found.sort_values(["course", "order", "row", "frame"])
-    return found[[*columns, "frame", "warmup", "median_ms", "min_ms", "max_ms"]]
+    return _picked(found, "scene n motion label status frame warmup median_ms min_ms max_ms")
 
 
-def correctness_frame(result: Result) -> pd.DataFrame:
-    labels = words.labels(result)
-    cells = tables.correctness(result)
-    return pd.DataFrame(
-        {
-            "implementation": labels[impl],
-            **{f"{g.scene} {g.n}": cells[impl, g.place].text for g in result.groups},
-        }
-        for impl in result.impls
-    )
+def correctness(result: Result) -> pd.DataFrame:
+    """What happened in the worst run of each implementation (lines) at each place (columns)."""
+    rows = result.frame
+    lost = rows[["missed", "false", "duplicates"]].fillna(0).sum(axis=1)
+    rank = (lost + 1).where(rows["status"] == "wrong", rows["ran"] - 1)
+    worst = rows.assign(rank=rank).sort_values("rank", ascending=False, kind="stable")
+    worst = worst.drop_duplicates(["order", "group"])
+    worst["text"] = [
+        words.losses(row)
+        if row.status == "wrong"
+        else "exact"
+        if row.ran
+        else words.short_reason(row.reason, 24)
+        for row in worst.itertuples()
+    ]
+    table = worst.pivot(index=["order", "label"], columns="group", values="text").fillna("")
+    names = {
+        f"{group.scene} {group.n}": table.get(index, "")
+        if group.unavailable is None
+        else "no scene"
+        for index, group in enumerate(result.groups)
+    }
+    return table.assign(**names).reset_index()[["label", *names]].rename(columns=_CALLED)
 
 
-def skipped_frame(result: Result) -> pd.DataFrame:
-    rows = _rows(result)[~result.frame["ran"]]
-    return rows[["scene", "n", "implementation", "run", "reason"]]
+def skipped(result: Result) -> pd.DataFrame:
+    return _picked(result.frame[~result.frame["ran"]], "scene n label run reason")
 
 
-def unavailable_frame(result: Result) -> pd.DataFrame:
+def unavailable(result: Result) -> pd.DataFrame:
     return pd.DataFrame(
         {"scene": group.scene, "spec": group.spec, "reason": group.unavailable}
         for group in result.groups
@@ -127,17 +134,10 @@ def unavailable_frame(result: Result) -> pd.DataFrame:
 
 
 _FRAMES = {
-    "times": times_frame,
-    "slopes": slopes_frame,
-    "ratios": ratios_frame,
-    "stages": stages_frame,
-    "bandwidth": bandwidth_frame,
-    "frames": motion_frame,
-    "correctness": correctness_frame,
-    "skipped": skipped_frame,
-    "unavailable": unavailable_frame,
+    **{"times": times, "slopes": slopes, "ratios": ratios, "stages": stages, "bandwidth": rates},
+    **{"frames": motion, "correctness": correctness},
+    **{"skipped": skipped, "unavailable": unavailable},
 }
-
 NAMES = tuple(_FRAMES)  # of the CSV files, without their ending
 
 
@@ -160,8 +160,5 @@ def save(table: pd.DataFrame, path: Path) -> None:
 
 def estimate(name: str, value: Estimate | None) -> dict[str, float | None]:
     """An estimate as columns."""
-    return {
-        f"{name}_median": value.median if value else None,
-        f"{name}_low": value.low if value else None,
-        f"{name}_high": value.high if value else None,
-    }
+    known = value[:3] if value else (None, None, None)
+    return dict(zip((f"{name}_median", f"{name}_low", f"{name}_high"), known, strict=True))

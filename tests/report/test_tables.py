@@ -145,7 +145,7 @@ def test_candidates_are_counted_for_each_true_pair():
 
 def test_a_fused_stage_has_a_host_and_no_time():
     stages = {"pair_tests": [2.0, 4.0, 3.0]}
-    frame = frames.stages_frame(result_of(row(stage_ms=stages, fused={"resolve": "pair_tests"})))
+    frame = frames.stages(result_of(row(stage_ms=stages, fused={"resolve": "pair_tests"})))
     assert frame.stage.tolist() == ["pair_tests", "resolve"]
     assert frame.median_ms[0] == 3.0 and math.isnan(frame.median_ms[1])
     assert frame.fused_into[1] == "pair_tests"
