@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Precision modes: what each promises, what each does, and tests that are proved to be enough for a
-// scene.
+// Precision modes: what each promises and does, and tests that are proved to be enough.
 #include <gtest/gtest.h>
 
 #include <bit>
