@@ -24,7 +24,7 @@ CUDA_IF_GPU = $(if $(wildcard /dev/nvidiactl)$(filter ON,$(OCTOCELL_CUDA)),$(OCT
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build build-tests test compilers fuzz mutants stress stress-full bench bench-full bench-sort ablation error report readme pictures sanitize cuda-toolkit bundle clean
+.PHONY: help setup configure build build-tests test compilers fuzz mutants stress stress-full bench bench-full bench-sort ablation error report readme steps pictures sanitize cuda-toolkit bundle clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -44,6 +44,7 @@ build-tests: configure ## Build the tests, too
 test: build-tests ## Run all tests
 	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j "$$(nproc)"
 	@$(PYTHON) -m octocell_report readme $(PAGES) --check
+	@scripts/setup_browser.sh
 	@OCTOCELL_BIN=$(BUILD)/octocell $(PYTHON) -m pytest -q
 
 stress: build ## Every implementation on the scenes of the stress catalogue (minutes), and the compilers
@@ -97,6 +98,9 @@ report: setup ## Draw plots and the page again from RESULT (default reports/out/
 
 readme: setup ## Write the tables of README and docs from the published results
 	@$(PYTHON) -m octocell_report readme $(PAGES)
+
+steps: ## Write the step page, reports/out/steps.html: the course's scenes, array by array
+	@python3 scripts/build_pages.py -o reports/out/steps.html
 
 pictures: build ## Draw the README's pictures from runs of the program and the published results
 	@$(PYTHON) scripts/draw_pictures.py --octocell $(BUILD)/octocell --result $(PUBLISHED)

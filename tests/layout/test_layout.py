@@ -27,7 +27,7 @@ MAY_INCLUDE: dict[str, tuple[str, ...]] = {
     "core/planner/": ("core/",),
     **dict.fromkeys(BACKENDS, ("core/",)),
     "baselines/": ("core/",),
-    "course/": ("core/",),
+    "course/": ("core/", "core/planner/"),
     "harness/scenes/": ("core/",),
     "harness/files/": ("core/", "harness/scenes/"),
     "harness/engine/": ("core/", "core/planner/", *BACKENDS, "baselines/"),
