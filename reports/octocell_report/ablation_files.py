@@ -12,8 +12,7 @@ import pandas as pd
 
 from octocell_report import (
     ablation,
-    findings,
-    findings_ablation,
+    captions,
     frames,
     images,
     markdown,
@@ -23,8 +22,8 @@ from octocell_report import (
 )
 from octocell_report.ablation import Regret, Study
 from octocell_report.files import staged_folder
-from octocell_report.language import tell
 from octocell_report.load import Result, Row
+from octocell_report.texts import say
 
 TABLES = ("ablation.csv", "regret.csv", "ablation.md")
 
@@ -104,11 +103,11 @@ def regret_frame(result: Result) -> pd.DataFrame:
 
 
 def text(result: Result, folder: Path) -> str:
-    """Figures that lie in the folder, each with its sentences, and the numbers as tables."""
-    parts = [f"# {tell('en', 'ablation')}", *findings.origins([result])]
+    """Figures that lie in the folder, and the numbers as tables."""
+    parts = [f"# {say('section_ablation').en}", markdown.english(captions.ablation(result))]
     numbers = {"ablation_skips": _skips_table, "ablation_regret": _regret_table}
     for name in images.drawn(plots.ABLATION_NAMES, folder):
-        parts += markdown.chapter(name, findings_ablation.sentences(result, name))
+        parts += markdown.chapter(name, markdown.picture(name))
         if name in numbers:
             parts.append(numbers[name](result))
     return "\n\n".join(parts) + "\n"

@@ -6,8 +6,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from octocell_report import words
-from octocell_report.language import tell
 from octocell_report.load import Result, Row
+from octocell_report.texts import Said, listed, say
 
 
 @dataclass(frozen=True)
@@ -47,26 +47,19 @@ def judge(result: Result) -> Verdict:
     )
 
 
-def headline(verdict: Verdict, language: str = "en") -> str:
-    """A sentence, or two where variants are wrong. A 'default' row ran, and is neither a variant
-    nor a negative control."""
-    wrong, checked, astray = len(verdict.wrong), verdict.checked, len(verdict.wrong_variants)
-    if wrong:
-        key = "headline_wrong_one" if wrong == 1 else "headline_wrong"
-    else:
-        key = ("headline_none", "headline_only")[checked] if checked < 2 else "headline_all"
-    text = tell(language, key, wrong=wrong, checked=checked)
-    if not astray:
-        return text
-    key = "headline_variants_one" if astray == 1 else "headline_variants"
-    more = tell(language, key, wrong=astray, variants=verdict.variants)
-    return text + tell(language, "space") + more
+def headline(verdict: Verdict) -> Said:
+    """Exact or not. A 'default' row ran, and is neither a variant nor a negative control."""
+    key = "none" if not verdict.checked else "wrong" if verdict.wrong else "all"
+    parts = [say(f"headline_{key}", wrong=len(verdict.wrong), checked=verdict.checked)]
+    if wrong := len(verdict.wrong_variants):
+        parts.append(say("headline_variants", wrong=wrong, variants=verdict.variants))
+    return listed(parts, "space")
 
 
 def summary(verdict: Verdict) -> str:
     """The headline and what it does not count, in one line."""
     parts = [
-        headline(verdict),
+        headline(verdict).en,
         f"{verdict.skipped} skipped, {verdict.negative_controls} negative controls.",
     ]
     if verdict.variants:

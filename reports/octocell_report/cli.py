@@ -189,10 +189,10 @@ def ablation(given: Namespace) -> int:
 @_command("results", "-o --output")
 def error(given: Namespace) -> int:
     """plots and tables of run time against error"""
-    from octocell_report import error_files, findings_error
+    from octocell_report import captions, error_files
 
     study = _study(given.results)
     names = error_files.build(study, given.output, given.results)
-    say(*findings_error.sentences(study, "error_map"))
+    say(captions.claims(study).en)
     say(f"{given.output}: written: {', '.join(names)}")
     return 0

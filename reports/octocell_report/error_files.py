@@ -8,11 +8,10 @@ from pathlib import Path
 
 import pandas as pd
 
-from octocell_report import findings, findings_error, frames, images, markdown, page_error, plots
+from octocell_report import captions, frames, images, markdown, page_tables, plots
 from octocell_report.error import MILLION, Study
 from octocell_report.files import staged_folder
-from octocell_report.language import tell
-from octocell_report.page_tables import Table
+from octocell_report.texts import say
 
 TABLES = ("error.csv", "error_costs.csv", "error_rounding.csv", "error.md")
 
@@ -84,24 +83,15 @@ def rounding_frame(study: Study) -> pd.DataFrame:
 
 
 def text(study: Study, folder: Path) -> str:
-    """Figures that lie in the folder, each with its sentences, and the numbers as tables."""
-    parts = [f"# {tell('en', 'error')}", " ".join(findings.origins(study.results))]
+    """Figures that lie in the folder, and the numbers as tables."""
+    notes = [*captions.origins(study.results), captions.claims(study)]
+    parts = [f"# {say('section_error').en}", markdown.english(notes)]
     for name in images.drawn(plots.ERROR_NAMES, folder):
-        parts += markdown.chapter(name, findings_error.sentences(study, name))
-    costs, rounding = page_error.costs(study), page_error.rounding(study)
-    if costs:
-        seen = " ".join(findings_error.prices(study))
-        parts += [f"## {_english(costs.title)}", seen, tell("en", "costs_how"), _table(costs)]
-    if rounding:
-        parts += [f"## {_english(rounding.title)}", tell("en", "rounding_how"), _table(rounding)]
+        parts += markdown.chapter(name, markdown.picture(name))
+    for name, table in {
+        "costs": page_tables.costs(study),
+        "rounding": page_tables.rounding(study),
+    }.items():
+        if not table.empty:
+            parts += markdown.chapter(name, markdown.table(page_tables.english(table)))
     return "\n\n".join(parts) + "\n"
-
-
-def _table(table: Table) -> str:
-    header = [_english(name) for name, _ in table.columns]
-    lines = [[_english(cell.text) for cell in line.cells] for line in table.lines]
-    return markdown.table(pd.DataFrame(lines, columns=header))
-
-
-def _english(said: object) -> str:
-    return str(getattr(said, "en", said))

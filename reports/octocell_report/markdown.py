@@ -8,7 +8,7 @@ from collections.abc import Iterable
 
 import pandas as pd
 
-from octocell_report.language import tell
+from octocell_report.texts import Said, say
 from octocell_report.words import NONE
 
 _BAR = re.compile(r"(\\*)\|")
@@ -47,7 +47,15 @@ def _plain(line: str) -> str:
     return "".join(parts)
 
 
-def chapter(name: str, sentences: list[str]) -> list[str]:
-    """On a figure that lies beside the file: what is seen, and how to read it."""
-    title, how = tell("en", f"title_{name}"), tell("en", f"how_{name}")
-    return [f"## {title}", " ".join(sentences), how, f"![{title}]({name}.png)"]
+def english(notes: Iterable[Said]) -> str:
+    return " ".join(note.en for note in notes)
+
+
+def chapter(name: str, shown: str) -> list[str]:
+    """On what is shown: its title, and how to read it."""
+    return [f"## {say(f'title_{name}').en}", say(f"how_{name}").en, shown]
+
+
+def picture(name: str) -> str:
+    """The figure that lies beside the file."""
+    return f"![{say(f'title_{name}').en}]({name}.png)"

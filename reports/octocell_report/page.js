@@ -1,41 +1,34 @@
-// Language by address (?lang=zh) or browser, filters above tables, columns that sort. The page is
+// The language chosen last (or ?lang=zh, or the browser's), tables that filter and sort. The page is
 // complete without it.
 "use strict";
 (() => {
   const all = (selector, root = document) => [...root.querySelectorAll(selector)];
-  const asked = new URLSearchParams(location.search).get("lang") || navigator.language || "en";
   const choices = all(".choice");
-  const inputs = [];
+  const main = document.querySelector("main");
+
+  const stored = (value) => {
+    try {
+      if (value) localStorage.setItem("octocell-language", value);
+      return localStorage.getItem("octocell-language");
+    } catch {
+      return null; // pages on disk may not remember
+    }
+  };
 
   const speak = () => {
     const chosen = choices.find((choice) => choice.checked).value;
     document.documentElement.lang = chosen === "zh" ? "zh-CN" : "en";
-    for (const input of inputs) input.placeholder = input.dataset[chosen];
+    const text = chosen === "zh" ? main.dataset.filterZh : main.dataset.filterEn;
+    for (const input of all(".filter")) input.placeholder = text;
   };
 
-  const filter = (area, text) => {
+  const filter = (table, text) => {
     const wanted = text.toLowerCase().split(/\s+/).filter(Boolean);
-    for (const table of all("table", area)) {
-      const block = table.closest("details");
-      const title = block ? block.querySelector("summary").textContent : "";
-      let left = 0;
-      for (const row of table.tBodies[0].rows) {
-        const content = `${title} ${row.textContent}`.toLowerCase();
-        row.hidden = !wanted.every((word) => content.includes(word));
-        left += row.hidden ? 0 : 1;
-      }
-      table.dataset.filtered = wanted.length ? "yes" : "";
-      loosen(table);
-      if (block) {
-        block.hidden = left === 0;
-        if (wanted.length && left) block.open = true;
-      }
+    for (const row of table.tBodies[0].rows) {
+      const content = row.textContent.toLowerCase();
+      row.hidden = !wanted.every((word) => content.includes(word));
     }
   };
-
-  // Rows that are out of their order, or whose neighbours are hidden, each show their size.
-  const loosen = (table) =>
-    table.classList.toggle("loose", Boolean(table.dataset.filtered || table.dataset.sorted));
 
   const key = (row, column) => {
     const cell = row.cells[column];
@@ -48,34 +41,21 @@
     return sign * (typeof a === "number" ? a - b : a.localeCompare(b));
   };
 
+  // Up, down, and as it was.
   const sort = (table, heading, column) => {
-    const body = table.tBodies[0];
-    table.original ||= [...body.rows];
-    const next = { ascending: "descending", descending: null }[heading.getAttribute("aria-sort")];
-    const order = next === undefined ? "ascending" : next;
-    for (const other of table.tHead.rows[0].cells) other.removeAttribute("aria-sort");
-    table.dataset.sorted = order || "";
+    const order = { ascending: "descending", descending: null }[heading.getAttribute("aria-sort")];
+    const sign = order === "descending" ? -1 : 1;
     const rows = [...table.original];
-    if (order) {
-      const sign = order === "ascending" ? 1 : -1;
-      heading.setAttribute("aria-sort", order);
+    for (const other of table.tHead.rows[0].cells) other.removeAttribute("aria-sort");
+    if (order !== null) {
+      heading.setAttribute("aria-sort", order || "ascending");
       rows.sort((a, b) => compare(key(a, column), key(b, column), sign));
     }
-    body.append(...rows);
-    loosen(table);
+    table.tBodies[0].append(...rows);
   };
 
-  for (const area of all("[data-filter-en]")) {
-    const input = document.createElement("input");
-    input.type = "search";
-    input.className = "filter";
-    input.dataset.en = area.dataset.filterEn;
-    input.dataset.zh = area.dataset.filterZh;
-    input.addEventListener("input", () => filter(area, input.value));
-    area.prepend(input);
-    inputs.push(input);
-  }
   for (const table of all("table")) {
+    table.original = [...table.tBodies[0].rows];
     [...table.tHead.rows[0].cells].forEach((heading, column) => {
       const button = document.createElement("button");
       button.type = "button";
@@ -83,10 +63,24 @@
       button.addEventListener("click", () => sort(table, heading, column));
       heading.append(button);
     });
+    if (table.original.length > 12) {
+      const input = document.createElement("input");
+      input.type = "search";
+      input.className = "filter";
+      input.addEventListener("input", () => filter(table, input.value));
+      table.parentElement.before(input);
+    }
   }
+
+  const asked = new URLSearchParams(location.search).get("lang") || stored() || navigator.language;
+  const chosen = (asked || "").toLowerCase().startsWith("zh") ? "zh" : "en";
   for (const choice of choices) {
-    choice.checked = choice.value === (asked.toLowerCase().startsWith("zh") ? "zh" : "en");
-    choice.addEventListener("change", speak);
+    choice.checked = choice.value === chosen;
+    choice.addEventListener("change", () => {
+      stored(choice.value);
+      speak();
+    });
   }
   speak();
+  addEventListener("beforeprint", () => all("details").forEach((block) => (block.open = true)));
 })();

@@ -3,58 +3,67 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 
+import pandas as pd
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from octocell_report import (
     ablation_files,
+    captions,
     check,
     error_files,
-    findings,
-    findings_ablation,
-    findings_error,
-    findings_gpu,
     frames,
+    front,
     images,
-    language,
-    page_ablation,
-    page_error,
     page_tables,
     plots,
-    words,
 )
 from octocell_report.error import Study
 from octocell_report.files import staged_folder
-from octocell_report.language import Said, all_of, both, say
+from octocell_report.images import Picture
 from octocell_report.load import Result
+from octocell_report.texts import TEXTS, Said, say
 
-# Correctness first: a time counts only after it.
-_ORDER = (
-    "correctness",
-    *(f"time_{run}" for run in ("warm", "cold", "first_update", "update")),
-    "dynamic",
-    "stages_backend",
-    "stages_device",
-    "bandwidth",
-    "bandwidth_by_size",
-    "stages_baseline",
-    "stages_per_sphere",
-    *(f"speed_{run}" for run in ("warm", "cold", "first_update", "update")),
-    "memory",
-)
+# Pictures and tables of each section, in order; correctness first: a time counts only after it.
+_SECTIONS = {
+    "correctness": ("correctness", "wrong", "skipped", "unavailable"),
+    "time": ("time_warm", "time_cold", "time_first_update", "time_update", "times"),
+    "speed": ("speed_warm", "speed_cold", "speed_first_update", "speed_update", "speedups"),
+    "moving": ("dynamic", "frames"),
+    "stages": ("stages_backend", "stages_device", "stages_baseline", "stages_per_sphere"),
+    "device": ("gpu", "bandwidth", "bandwidth_by_size"),
+    "memory": ("memory",),
+    "ablation": ("ablation_skips", "ablation_steps", "ablation_regret", "regret"),
+    "error": ("error_pareto", "error_depth", "error_map", "costs", "rounding"),
+}
+# Shown when asked for: tables behind pictures, and pictures that vary the one before.
+_FOLDED = {
+    *("wrong", "skipped", "times", "speedups", "frames", "regret", "costs", "rounding"),
+    *("time_cold", "time_first_update", "time_update", "stages_baseline", "stages_per_sphere"),
+    *("speed_cold", "speed_first_update", "speed_update", "bandwidth_by_size"),
+}
+
+
+@dataclass(frozen=True)
+class Block:
+    """A picture or a table, with the texts title_NAME and how_NAME."""
+
+    name: str
+    shown: Picture | pd.DataFrame
+
+    @property
+    def folded(self) -> bool:
+        return self.name in _FOLDED
 
 
 @dataclass(frozen=True)
 class Section:
     name: str
-    title: Said
-    sentences: list[Said]  # computed: what is seen
-    reading: Said  # how to read it
-    image: str  # data URI
+    notes: list[Said]  # with numbers in them
+    blocks: list[Block]
 
 
 def owned_names() -> set[str]:
@@ -100,95 +109,42 @@ def render(
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    verdict = check.judge(result)
+    verdict, tables = check.judge(result), page_tables.all_tables(result, ablation, error)
     return environment.get_template("page.html.j2").render(
-        say=say,
-        texts=language.TEXTS,
+        **{"say": say, "texts": TEXTS, "cells": page_tables.cells, "heading": page_tables.heading},
         context=result.context,
-        verdict=verdict,
-        headline=both(lambda spoken: check.headline(verdict, spoken)),
-        overview=all_of(lambda spoken: findings.overview(result, spoken)),
-        memory_gb=f"{result.context['machine']['memory_bytes'] / 1e9:.1f}",
-        sections=[
-            *sections(result, folder),
-            *_error_sections(error, folder),
-            *_ablation_sections(ablation, folder),
-        ],
-        times=page_tables.times(result),
-        speedups=page_tables.speedups(result),
-        gpu=page_tables.gpu(result),
-        gpu_seen=all_of(lambda spoken: findings_gpu.runs(result, spoken)),
-        device=_device(result),
-        frames=page_tables.frames(result),
-        costs=page_error.costs(error),
-        costs_seen=all_of(lambda spoken: findings_error.prices(error, spoken) if error else []),
-        rounding=page_error.rounding(error),
-        regret=page_ablation.regret(ablation),
-        skipped=page_tables.skipped(result),
-        unavailable=page_tables.unavailable(result),
+        headline=check.headline(verdict),
+        exact=verdict.passes,
+        first=captions.first_scene(result),
+        front=images.picture(folder / "front.png"),
+        run=say(f"run_{front.run_shown(result)}"),
+        best=tables.get("best"),
+        facts=captions.facts(result),
+        sections=_sections(folder, tables, _notes(result, ablation, error)),
     )
 
 
-def _device(result: Result) -> Said | None:
-    """The GPU in words; None without one."""
-    if result.gpu is None:
-        return None
-    copied = words.grouped(result.gpu.copy_gbps)
-    return say("gpu_text", name=result.gpu.name, copied=copied)
-
-
-def sections(result: Result, folder: Path) -> list[Section]:
-    return _sections(folder, _ORDER, lambda name, spoken: _sentences(result, name, spoken))
-
-
-def _ablation_sections(ablation: Result | None, folder: Path) -> list[Section]:
-    if ablation is None:
-        return []
-    told = partial(findings_ablation.sentences, ablation)
-    return _sections(folder, plots.ABLATION_NAMES, told, [ablation])
-
-
-def _error_sections(error: Study | None, folder: Path) -> list[Section]:
-    if error is None:
-        return []
-    told = partial(findings_error.sentences, error)
-    return _sections(folder, plots.ERROR_NAMES, told, error.results)
+def _notes(result: Result, ablation: Result | None, error: Study | None) -> dict[str, list[Said]]:
+    """Captions with numbers, by section."""
+    notes = {"correctness": captions.counts(result, check.judge(result))}
+    if ablation:
+        notes["ablation"] = captions.ablation(ablation)
+    if error:
+        notes["error"] = [*captions.origins(error.results), captions.claims(error)]
+    return notes
 
 
 def _sections(
-    folder: Path,
-    names: tuple[str, ...],
-    told: Callable[[str, str], list[str]],
-    others: Sequence[Result] = (),
+    folder: Path, tables: dict[str, pd.DataFrame], notes: dict[str, list[Said]]
 ) -> list[Section]:
-    """Of those plots that lie in the folder; the first tells of other results that they show."""
-
-    def seen(name: str, spoken: str) -> list[str]:
-        origins = findings.origins(others, spoken) if name == names[0] else []
-        return origins + told(name, spoken)
-
+    """Those with something in them."""
     found = []
-    for name in images.drawn(names, folder):
-        sentences, image = all_of(partial(seen, name)), images.data_uri(folder / f"{name}.png")
-        found.append(Section(name, say(f"title_{name}"), sentences, say(f"how_{name}"), image))
+    for section, names in _SECTIONS.items():
+        blocks = [
+            Block(name, shown)
+            for name in names
+            if (shown := tables.get(name, images.picture(folder / f"{name}.png"))) is not None
+        ]
+        if blocks or section in notes:
+            found.append(Section(section, notes.get(section, []), blocks))
     return found
-
-
-def _sentences(result: Result, name: str, spoken: str) -> list[str]:
-    subject, _, variant = name.partition("_")
-    if subject == "time":
-        return findings.time(result, variant, spoken)
-    if subject == "speed":
-        return findings.speed(result, variant, spoken)
-    if name == "stages_per_sphere":
-        return findings.per_sphere(result, spoken)
-    if subject == "stages":
-        return findings.stages(result, variant, spoken)
-    simple = {
-        "correctness": findings.correctness,
-        "bandwidth": findings_gpu.bandwidths,
-        "bandwidth_by_size": findings_gpu.by_size,
-        "dynamic": findings.moving,
-        "memory": findings.memory,
-    }
-    return simple[name](result, spoken)

@@ -1,269 +1,306 @@
 # SPDX-License-Identifier: MIT
-"""The page's tables: what stands in each cell, in both languages, and what it is sorted by."""
+"""The page's tables: frames whose columns are named in texts.py, of values or Cells."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from statistics import median
+from typing import Any
 
-from octocell_report import dynamic, gpu_runs, tables, words
-from octocell_report.language import Said, say
-from octocell_report.load import Impl, Place, Result, Row
-from octocell_report.tables import DYNAMIC, Ratio
+import pandas as pd
+
+from octocell_report import ablation, dynamic, front, tables, words
+from octocell_report.ablation import Regret
+from octocell_report.error import MILLION, Study
+from octocell_report.load import Result
+from octocell_report.plan import PLANNED
+from octocell_report.spread import Estimate, ratios
+from octocell_report.texts import TEXTS, Said, listed, say
+
+_KEYS = ["scene", "n", "label"]
+_GPU_RUNS = ("warm", "cold_cache", "graph", "transfers", "cold")  # barest to fullest
 
 
 @dataclass(frozen=True)
 class Cell:
     text: str | Said
-    small: str = ""  # below the text
-    css: str = ""
     value: float | None = None  # what it is sorted by, if not by its text
+    small: str = ""  # below the text
+    bad: bool = False
 
 
-@dataclass(frozen=True)
-class Line:
-    cells: list[Cell]
-    css: str = ""
+def all_tables(
+    result: Result, ablated: Result | None = None, study: Study | None = None
+) -> dict[str, pd.DataFrame]:
+    """By name; those with a line in them."""
+    every = {
+        "best": best(result),
+        "wrong": wrong([result, *([ablated] if ablated else [])]),
+        "skipped": skipped(result),
+        "unavailable": unavailable(result),
+        "times": times(result),
+        "speedups": speedups(result),
+        "frames": steady_frames(result),
+        "gpu": gpu(result),
+        "regret": regret(ablated) if ablated else pd.DataFrame(),
+        "costs": costs(study) if study else pd.DataFrame(),
+        "rounding": rounding(study) if study else pd.DataFrame(),
+    }
+    return {name: table for name, table in every.items() if not table.empty}
 
 
-@dataclass(frozen=True)
-class Table:
-    title: str | Said
-    columns: Sequence[tuple[Said, str]]  # heading, css
-    lines: list[Line]
-
-
-def column(key: str, css: str = "") -> tuple[Said, str]:
-    return say(f"column_{key}"), css
-
-
-def _number(value: float | None, css: str = "") -> Cell:
-    known = value is not None and not math.isnan(value)
-    return Cell(words.number(value), css=css, value=value if known else None)
-
-
-def run_name(run: str) -> Said:
-    return say(f"run_{run}")
-
-
-def times(result: Result) -> list[Table]:
-    """One table per scene: implementations at each size, all runs at rest."""
-    found = [_scene_times(result, scene) for scene in result.scenes if result.sizes(scene)]
-    return [table for table in found if table.lines]
-
-
-def _scene_times(result: Result, scene: str) -> Table:
-    runs = tables.runs(result)
-    labels, cells = words.labels(result), tables.correctness(result)
-    lines = []
-    for n in result.sizes(scene):
-        place, first = Place(scene, n), True
-        for impl in result.impls:
-            rows = {
-                row.run: row
-                for row in result.rows
-                if row.impl == impl and row.place == place and row.run in runs
-            }
-            if not rows:
-                continue
-            state = cells[impl, place].state
-            size = Cell(words.size(n), css="size", value=n)
-            line = [size, Cell(labels[impl], css="text"), *_times(result, rows, runs)]
-            lines.append(Line(line, f"{state} first" if first else state))
-            first = False
-    columns = [
-        column("spheres"),
-        column("implementation", "text"),
-        *((say("column_run_ms", run=run_name(run)), "") for run in runs),
-        *map(column, ("ns", "candidates", "uncertain_pairs")),
-    ]
-    return Table(scene, columns, lines)
-
-
-def _times(result: Result, rows: dict[str, Row], runs: list[str]) -> list[Cell]:
-    warm = rows.get("warm") or next(iter(rows.values()))
-    uncertain_pairs = (
-        words.NONE if warm.uncertain_pairs is None else words.grouped(warm.uncertain_pairs)
-    )
-    return [
-        *(_time(rows.get(run)) for run in runs),
-        _number(tables.ns_per_sphere(warm) if warm.counts else None),
-        _number(tables.candidates_per_pair(result, warm)),
-        Cell(uncertain_pairs, value=warm.uncertain_pairs),
-    ]
-
-
-def _time(row: Row | None) -> Cell:
-    """A time that is not bare stands behind its verdict, in brackets."""
-    if row is None:
-        return Cell(words.NONE, css="none")
-    if row.status == "skipped":
-        return Cell(say("skipped"), css="none")
-    if row.counts:
-        spread = words.spread(row.round_ms)
-        return Cell(words.number(row.median_ms), spread, "time", row.median_ms)
-    return Cell(_verdict(row), f"({words.number(row.median_ms)} ms)", "bad")
-
-
-def _verdict(row: Row) -> Said:
-    if row.status != "wrong":
-        return say("cell_negative_control_exact")
-    return say(
-        "cell_negative_control" if row.negative_control else "cell_wrong", losses=words.losses(row)
-    )
-
-
-def speedups(result: Result) -> dict[str, Table]:
-    """By run: every exact row of ours against each library's fastest, with its spread."""
-    found = {}
-    for run in (*tables.runs(result), DYNAMIC):
-        ratios = tables.ratios(result, run)
-        if ratios:
-            found[run] = _speedups(result, run, ratios)
-    return found
-
-
-def _speedups(result: Result, run: str, ratios: list[Ratio]) -> Table:
-    labels = words.labels(result)
-    moving = any(ratio.motion not in (None, ratio.place.scene) for ratio in ratios)
-    columns = [
-        column("scene", "text"),
-        column("spheres"),
-        *([column("motion", "text")] if moving else []),
-        column("implementation", "text"),
-        column("against", "text"),
-        *map(column, ("median", "range", "rounds")),
-    ]
-    lines = [
-        Line(
-            [
-                Cell(ratio.place.scene, css="text"),
-                Cell(words.size(ratio.place.n), value=ratio.place.n),
-                *([Cell(ratio.motion or words.NONE, css="text")] if moving else []),
-                Cell(labels[ratio.impl], css="text"),
-                Cell(labels[ratio.reference], css="text"),
-                Cell(words.ratio(ratio.median), css="time", value=ratio.median),
-                Cell(_ratio_range(ratio), value=min(ratio.rounds)),
-                Cell(str(len(ratio.rounds)), value=len(ratio.rounds)),
-            ]
-        )
-        for ratio in ratios
-    ]
-    return Table(run_name(run), columns, lines)
-
-
-def _ratio_range(ratio: Ratio) -> str:
-    return f"{words.ratio(min(ratio.rounds))} .. {words.ratio(max(ratio.rounds))}"
-
-
-def gpu(result: Result) -> Table | None:
-    """The runs of each backend on a device, side by side, and its memory; None without one."""
-    labels = words.labels(result)
-    every = gpu_runs.all_runs(result)
-    met = [run for run in gpu_runs.RUNS if any(run in runs.rows for runs in every)]
-    lines = []
-    for runs in every:
-        line = [
-            Cell(runs.place.scene, css="text"),
-            Cell(words.size(runs.place.n), value=runs.place.n),
-            Cell(labels[runs.impl], css="text"),
-            *(_device_time(runs, run) for run in met),
-            _number(runs.bytes_per_sphere),
+def best(result: Result) -> pd.DataFrame:
+    """Our planned rows and each library's fastest at the largest size of each scene."""
+    times = front.at_largest(front.best(result))
+    below = front.ratios(times).map(lambda ratio: words.ratio(ratio) if ratio > 0 else "")
+    shown = {
+        who: [
+            Cell(words.number(ns), ns, below.loc[place, who] if who in below else "")
+            for place, ns in column.items()
         ]
-        lines.append(Line(line))
-    columns = [
-        column("scene", "text"),
-        column("spheres"),
-        column("implementation", "text"),
-        *((say("column_run_ms", run=run_name(run)), "") for run in met),
-        column("device_bytes"),
+        for who, column in times.items()
+    }
+    return pd.DataFrame(shown, index=times.index).reset_index()
+
+
+def wrong(results: Iterable[Result]) -> pd.DataFrame:
+    """What each row loses and invents, variants of the plan too: the worst of its runs."""
+    frame = pd.concat([f for result in results for f in (result.frame, result.variants_frame)])
+    frame = frame[frame["status"] == "wrong"]
+    lost = frame[["missed", "false", "duplicates"]].fillna(0).sum(axis=1)
+    kind = frame["negative_control"].map({True: "control", False: "wrong"})
+    frame = frame.assign(
+        lost=lost,
+        share=100 * (frame["missed"] / frame["truth_pairs"]).astype(float),
+        kind=kind.mask(frame["excused"].astype(bool), "excused"),
+        label=[f"{r.label}, {r.skips}" if r.skips else r.label for r in frame.itertuples()],
+    )
+    worst = frame.sort_values("lost", ascending=False).drop_duplicates(_KEYS)
+    found = worst.sort_index().sort_values("order", kind="stable")
+    return found[["label", "kind", "scene", "n", "missed", "share", "false", "duplicates"]]
+
+
+def skipped(result: Result) -> pd.DataFrame:
+    """Rows that were skipped alike share a line."""
+    frame = result.frame[result.frame["status"] == "skipped"]
+    found = [
+        {
+            "label": label,
+            "where": ", ".join(dict.fromkeys(map(words.place, rows[["scene", "n"]].itertuples()))),
+            "runs": listed(say(f"run_{run}") for run in rows["run"].unique()),
+            "why": reason,
+        }
+        for (label, reason), rows in frame.groupby(["label", "reason"], sort=False)
     ]
-    return Table(say("gpu_table"), columns, lines) if lines else None
+    return pd.DataFrame(found)
 
 
-def _device_time(runs: gpu_runs.Runs, run: str) -> Cell:
-    """Below it how much of the warm run's time it is."""
-    cell, ratio = _time(runs.rows.get(run)), runs.to_warm(run)
-    if run == "warm" or ratio is None:
-        return cell
-    return replace(cell, small=words.ratio(ratio))
+def unavailable(result: Result) -> pd.DataFrame:
+    """Scenes that could not be loaded."""
+    absent = [group for group in result.groups if group.unavailable is not None]
+    return pd.DataFrame([{"scene": g.scene, "spec": g.spec, "why": g.unavailable} for g in absent])
 
 
-def frames(result: Result) -> Table | None:
-    """Steady-state medians of moving scenes; None without any."""
-    labels = words.labels(result)
-    named = any(course.motion != course.place.scene for course in dynamic.courses(result))
-    lines = []
-    for course, rows in dynamic.courses(result).items():
-        for row in rows:
-            assert row.motion
-            every = row.motion.by_frame
-            warmup, count = row.motion.warmup, len(every)
-            line = [
-                Cell(course.place.scene, css="text"),
-                Cell(words.size(course.place.n), value=course.place.n),
-                *([Cell(course.motion, css="text")] if named else []),
-                Cell(labels[row.impl], css="text"),
-                _time(row),
-                _number(median(every[:1])) if row.counts else Cell(words.NONE, css="none"),
-                Cell(say("frames_count", frames=count, warmup=warmup), value=count),
-            ]
-            lines.append(Line(line, "" if row.counts else "wrong"))
-    columns = [
-        column("scene", "text"),
-        column("spheres"),
-        *([column("motion", "text")] if named else []),
-        column("implementation", "text"),
-        *map(column, ("steady", "first", "frames")),
-    ]
-    return Table(say("frames_table"), columns, lines) if lines else None
+def times(result: Result) -> pd.DataFrame:
+    """All rows at rest: a line per implementation, scene and size."""
+    frame = _in_order(result, result.frame["run"].isin(tables.runs(result)))
+    if frame.empty:
+        return frame
+    more = ["ns_per_sphere", "candidates_per_pair", "uncertain_pairs"]
+    warm = frame[frame["run"] == "warm"].drop_duplicates(_KEYS).set_index(_KEYS)
+    return _by_run(frame, tables.runs(result), _time).join(warm[more]).reset_index()
 
 
-def skipped(result: Result) -> Table | None:
-    """Rows that were skipped alike share a line; None without any."""
-    labels = words.labels(result)
-    places: dict[tuple[Impl, str], dict[str, None]] = {}
-    runs: dict[tuple[Impl, str], dict[str, None]] = {}
-    for row in result.rows:
-        if row.status == "skipped":
-            key = row.impl, row.reason or ""
-            places.setdefault(key, {})[words.place(row.place)] = None
-            runs.setdefault(key, {})[row.run] = None
-    lines = [
-        Line(
-            [
-                Cell(labels[impl], css="text"),
-                Cell(", ".join(places[impl, reason]), css="text wrap"),
-                Cell(_run_names(list(runs[impl, reason])), css="text"),
-                Cell(reason, css="text wrap"),
-            ]
+def _in_order(result: Result, which: pd.Series[bool]) -> pd.DataFrame:
+    """Those rows by scene, size and implementation."""
+    scenes = {scene: place for place, scene in enumerate(result.scenes)}
+    frame = result.frame.assign(rank=result.frame["scene"].map(scenes))
+    return frame[which].sort_values(["rank", "n", "order"], kind="stable")
+
+
+def _by_run(frame: pd.DataFrame, runs: Iterable[str], cell: Callable[[Any], Cell]) -> pd.DataFrame:
+    """A column per run, filled by cell() of each row."""
+    frame = frame.drop_duplicates([*_KEYS, "run"])
+    shown = pd.Series(
+        map(cell, frame.itertuples()), pd.MultiIndex.from_frame(frame[[*_KEYS, "run"]])
+    )
+    wide = shown.unstack("run").reindex(pd.MultiIndex.from_frame(frame[_KEYS].drop_duplicates()))
+    return wide[[run for run in runs if run in wide]].rename(columns="run:{}".format)
+
+
+def _time(row: Any) -> Cell:
+    """A time that is not bare stands below its verdict."""
+    if not row.ran:
+        return Cell(say("skipped"))
+    ms = words.number(row.median_ms)
+    if row.counts:
+        return Cell(ms, row.median_ms, words.spread(row.round_ms))
+    lost = words.losses(row) if row.status == "wrong" else say("kind_control")
+    return Cell(lost, small=f"({ms} ms)", bad=True)
+
+
+def speedups(result: Result) -> pd.DataFrame:
+    """Our planned rows (all of ours, if none is planned) against each library's fastest."""
+    found = tables.speedups(result)
+    planned = found["method"] == PLANNED
+    found = found[planned] if planned.any() else found
+    return _telling(
+        found.assign(
+            against=found["label_ref"],
+            ratio=[Cell(words.ratio(median(r)), median(r), _range(r)) for r in found["ratios"]],
+            rounds=found["ratios"].map(len),
+        )[["scene", "n", "motion", "run", "label", "against", "ratio", "rounds"]]
+    )
+
+
+def _range(values: Sequence[float]) -> str:
+    return f"{words.ratio(min(values))}{words.NONE}{words.ratio(max(values))}"
+
+
+def steady_frames(result: Result) -> pd.DataFrame:
+    """Rows with moving spheres, beside the same frames each searched from nothing."""
+    frame, variants = result.frame, result.variants_frame
+    frame = _in_order(result, (frame["run"] == tables.DYNAMIC) & frame["motion"].notna())
+    first = result.motion_frames.query("frame == 0").set_index("row")["median_ms"]
+    warmups = result.motion_frames.groupby("row")["warmup"].agg(["size", "sum"])
+    again = {
+        (row.label, row.scene, row.n, row.motion): row.round_ms
+        for row in variants[variants["skips"] == dynamic.REBUILT].itertuples()
+        if row.counts
+    }
+    found = []
+    for row in frame.itertuples():
+        rounds = ratios(row.round_ms, again.get((row.label, row.scene, row.n, row.motion), ()))
+        frames, warmup = warmups.loc[row.Index]
+        found.append(
+            {
+                **{"scene": row.scene, "n": row.n, "motion": row.motion, "label": row.label},
+                "steady": _time(row),
+                "first": first[row.Index] if row.counts else None,
+                "again": median(rounds) if rounds and row.counts else None,
+                **{"frames": frames, "warmup": warmup},
+            }
         )
-        for impl, reason in places
-    ]
-    names = ("implementation", "where", "runs", "why")
-    columns = [column(name, "text") for name in names]
-    return Table(say("skipped_title"), columns, lines) if lines else None
+    return _telling(pd.DataFrame(found))
 
 
-def _run_names(runs: list[str]) -> Said:
-    names = [run_name(run) for run in runs]
-    return Said(", ".join(name.en for name in names), "、".join(name.zh for name in names))
+def _telling(table: pd.DataFrame) -> pd.DataFrame:
+    """Without empty columns, nor that of motions where every scene is called as its own."""
+    if "motion" in table:
+        table = table.assign(motion=table["motion"].mask(table["motion"] == table["scene"]))
+    return table.dropna(axis="columns", how="all")
 
 
-def unavailable(result: Result) -> Table | None:
-    """Scenes that could not be loaded; None without any."""
-    lines = [
-        Line(
-            [
-                Cell(group.scene, css="text"),
-                Cell(group.spec, css="text"),
-                Cell(group.unavailable, css="text wrap"),
-            ]
-        )
-        for group in result.groups
-        if group.unavailable is not None
-    ]
-    columns = [column(name, "text") for name in ("scene", "spec", "why")]
-    return Table(say("unavailable_title"), columns, lines) if lines else None
+def gpu(result: Result) -> pd.DataFrame:
+    """A device's runs side by side, each with its ratio to the warm one, and its memory."""
+    frame = _in_order(result, (result.frame["side"] == "device") & result.frame["ran"])
+    if frame.empty:
+        return frame
+    warm = {
+        _key(row): row.round_ms for row in frame.itertuples() if row.run == "warm" and row.counts
+    }
+
+    def cell(row: Any) -> Cell:
+        rounds = ratios(row.round_ms, warm.get(_key(row), ()))
+        shown = row.run != "warm" and row.counts and rounds
+        return replace(_time(row), small=words.ratio(median(rounds))) if shown else _time(row)
+
+    needs = (frame["device_bytes"] / frame["n"]).groupby([frame[key] for key in _KEYS]).max()
+    wide = _by_run(frame, _GPU_RUNS, cell)
+    return wide.join(needs.astype(float).rename("device_bytes")).reset_index()
+
+
+def _key(row: Any) -> tuple[str, int, str]:
+    return row.scene, row.n, row.label
+
+
+def regret(result: Result) -> pd.DataFrame:
+    """The plan against the best forced choice."""
+    return pd.DataFrame(map(_regret, ablation.regrets(ablation.studies(result))))
+
+
+def _regret(found: Regret) -> dict[str, object]:
+    choice: str | Said = ablation.choice(found.best)
+    return {
+        **{"scene": found.study.title, "backend": found.study.key.backend},
+        **{"planned": found.study.base.median_ms, "best": found.best.median_ms},
+        "regret": found.ratio,
+        "choice": say("same_plan", choice=choice) if found.same_plan else choice,
+        "verdict": found.verdict,
+    }
+
+
+def costs(study: Study) -> pd.DataFrame:
+    """Exact by float32, scene by scene."""
+    return pd.DataFrame(
+        {
+            **{"scene": words.place(cost.place), "backend": cost.backend},
+            **{"deciding": cost.stages, "whole": cost.whole, "rounds": cost.whole.rounds},
+            "candidates_per_pair": cost.candidates,
+        }
+        for cost in study.costs
+    )
+
+
+def rounding(study: Study) -> pd.DataFrame:
+    """Pairs that the input's rounding to float32 changed."""
+    return pd.DataFrame(
+        {
+            **{"scene": words.place(group.place), "pairs": group.truth_pairs or 0},
+            **{"lost": group.rounding.lost, "gained": group.rounding.gained},
+            "changed": MILLION
+            * (group.rounding.lost + group.rounding.gained)
+            / max(1, group.truth_pairs or 0),
+        }
+        for group in study.groups
+        if group.rounding
+    )
+
+
+_FORMATS: dict[str, Callable[[Any], str | Said]] = {
+    "n": words.size,
+    "again": words.times,
+    "changed": words.rate,
+    "run": lambda run: say(f"run_{run}"),
+    "kind": lambda kind: say(f"kind_{kind}"),
+    "verdict": lambda verdict: say(f"verdict_{verdict}"),
+}
+
+
+def heading(column: str) -> Said:
+    """Of a text, of a run, or the column's name itself: that of a contender."""
+    if column.startswith("run:"):
+        return say("column_ms", run=say(f"run_{column[4:]}"))
+    return say(f"column_{column}") if f"column_{column}" in TEXTS else Said(column, column)
+
+
+def english(table: pd.DataFrame) -> pd.DataFrame:
+    """Its texts in one language alone; what stands below a text comes behind it, in brackets."""
+    names = [heading(name).en for name in table.columns]
+    return pd.DataFrame([list(map(_english, line)) for line in cells(table)], columns=names)
+
+
+def _english(cell: Cell) -> str:
+    text = cell.text.en if isinstance(cell.text, Said) else cell.text
+    return f"{text} ({cell.small})" if cell.small else text
+
+
+def cells(table: pd.DataFrame) -> list[list[Cell]]:
+    """What is shown of a frame, line by line."""
+    lines = table.astype(object).itertuples(index=False, name=None)
+    return [list(map(_cell, table.columns, line)) for line in lines]
+
+
+def _cell(column: str, value: Any) -> Cell:
+    if isinstance(value, Cell):
+        return value
+    if isinstance(value, Estimate):
+        low, high = words.times(value.low), words.times(value.high)
+        return Cell(words.times(value.median), value.median, f"{low}{words.NONE}{high}")
+    if isinstance(value, str | Said):
+        return Cell(_FORMATS[column](value) if column in _FORMATS else value)
+    if value is None or pd.isna(value):
+        return Cell(words.NONE)
+    show = _FORMATS.get(column, words.grouped if isinstance(value, int) else words.number)
+    return Cell(show(value), float(value))

@@ -11,13 +11,11 @@ import pytest
 
 from octocell_report import (
     ablation,
+    captions,
     check,
-    findings,
-    findings_ablation,
     frames,
-    language,
     page,
-    page_ablation,
+    page_tables,
     plots,
     readme_bench,
     spread,
@@ -47,6 +45,10 @@ def the_study(*rows):
 
 def every_ablation():
     return parse(synthetic_ablation.every_case())
+
+
+def shown(table):
+    return page_tables.english(table).to_dict("records")
 
 
 def drawn(result):
@@ -102,7 +104,6 @@ def test_a_wrong_step_has_no_time_and_the_next_one_is_told_as_joint():
     wrong, after = ablation.steps(study)[2:4]
     assert wrong.after is None and wrong.kind == "noise"
     assert after.joint and after.kind == "joint" and after.before == wrong.before
-    assert not any("layers" in t for t in findings_ablation.sentences(result, "ablation_steps"))
 
 
 def test_too_few_rounds_judge_nothing():
@@ -113,8 +114,8 @@ def test_too_few_rounds_judge_nothing():
     study = the_study(*rows)
     assert {step.kind for step in ablation.steps(study)} == {"noise"}
     assert ablation.regret(study).verdict == "unknown"
-    told = findings_ablation.sentences(studied(*rows), "ablation_regret")
-    assert told[-1] == "Too few rounds to judge against 1.10: gas 1k."
+    (line,) = shown(page_tables.regret(studied(*rows)))
+    assert line["verdict"] == "too few rounds"
 
 
 VERDICTS = [
@@ -149,7 +150,7 @@ def test_a_best_choice_of_the_same_plan_is_told():
     found = ablation.regret(the_study(*rows))
     assert found.same_plan and ablation.choice(found.best) == "no_grid"
     result = studied(*rows)
-    assert page_ablation.regret(result).lines[0].cells[6].text.en == "no_grid (same plan)"
+    assert shown(page_tables.regret(result))[0]["best choice"] == "no_grid (same plan)"
 
 
 def test_moving_scenes_are_held_against_each_other_by_their_steady_frames():
@@ -176,12 +177,11 @@ def test_variants_are_in_no_other_table_plot_or_sentence():
     rows = group_rows()
     with_them = studied(*rows)
     without = studied(*(row for row in rows if not row["skips"]))
-    assert page.sections(with_them, page.Path("nowhere")) == []
     for name, frame in frames.all_frames(with_them).items():
         assert frame.equals(frames.all_frames(without)[name]), name
     assert tables.correctness(with_them) == tables.correctness(without)
-    assert findings.overview(with_them) == findings.overview(without)
-    assert findings.time(with_them, "warm") == findings.time(without, "warm")
+    pages = [page.render(result, page.Path("nowhere")) for result in (with_them, without)]
+    assert pages[0] == pages[1]
     assert readme_bench.correctness(with_them) == readme_bench.correctness(without)
     assert list(style.looks(with_them)) == list(style.looks(without))
     assert check.judge(with_them).exact == check.judge(without).exact == 3
@@ -193,12 +193,11 @@ def test_a_wrong_variant_is_wrong_but_no_default_row(save, capsys):
     assert main(["check", str(save(document(*rows)))]) == 1
     lines = capsys.readouterr().out.splitlines()
     assert "skips:none/" in lines[0] and "−2 +0" in lines[0]
-    assert lines[1].startswith(
-        "All 3 default rows are exact. 1 of 17 variants of the plan is wrong."
-    )
+    assert lines[1].startswith("Exact: all 3 default rows. Wrong: 1 of 17 variants of the plan.")
     result = studied(*rows)
-    assert check.headline(check.judge(result), "zh").endswith("17 个变体中有 1 个错误。")
-    assert "impl_cpu planned, none is wrong on gas 1k (−2 +0)." in findings.correctness(result)
+    assert check.headline(check.judge(result)).zh.endswith("计划的 17 个变体中的 1 个。")
+    (line,) = shown(page_tables.wrong([result]))
+    assert (line["implementation"], line["missed"]) == ("impl_cpu planned, none", "2")
 
 
 def test_a_variant_without_its_planned_row_is_still_judged():
@@ -206,7 +205,8 @@ def test_a_variant_without_its_planned_row_is_still_judged():
         synthetic.wrong(planned(1, "no_sort"), missed=1), forced("half_shell", None, 1)
     )
     assert not check.judge(result).passes
-    assert "impl_cpu planned, no_sort is wrong on gas 1k (−1 +0)." in findings.correctness(result)
+    (line,) = shown(page_tables.wrong([result]))
+    assert (line["implementation"], line["kind"]) == ("impl_cpu, no_sort", "wrong")
     assert ablation.studies(result) == [] and len(ablation.unjudged(result)) == 1
 
 
@@ -234,51 +234,23 @@ def test_the_regret_names_ratio_and_choice():
     assert {"1.67  half_shell", "1.03  half_shell"} <= set(texts)
 
 
-def test_sentences_come_from_the_numbers():
-    result = every_ablation()
-    skips, *_, left, wrong = findings_ablation.sentences(result, "ablation_skips")
-    assert "most for skin on gas_brownian 1k: 4.00 times the planned time" in skips
-    assert left.endswith("impl_cpu poly 2k.")
-    assert "impl_cpu no_sort dense 5k (−3 +1)" in wrong
-    regret = findings_ablation.sentences(result, "ablation_regret")
-    assert regret[0] == (
-        "impl_cpu: within 1.10 of the best forced choice on 2 of 3 scenes; the highest regret is "
-        "1.67× on gas 1k (best: half_shell)."
-    )
-    assert regret[1] == "Above 1.10 beyond the noise: 1.67× on gas 1k (best: half_shell)."
+def test_captions_come_from_the_numbers():
+    _, cpu, thrust, left_out = captions.ablation(every_ablation())
+    assert cpu.en == "impl_cpu: 2 of 3 scenes within 1.10; highest 1.67× on gas 1k."
+    assert thrust.en.startswith("impl_thrust: 1 of 1 scenes within 1.10;")
+    assert left_out.en.endswith("planned row: impl_cpu poly 2k.")
+    assert all(HAN.search(note.zh) for note in (cpu, thrust, left_out))
 
 
-def test_a_skip_and_a_step_that_do_harm_are_named():
-    rows = group_rows()
-    for row in rows:
-        if row["skips"] == "no_sort" or (row["skips"] or "").startswith("first_2"):
-            row["total_ms"] = [0.5 * ms for ms in row["total_ms"]]
-    result = studied(*rows)
-    told = findings_ablation.sentences(result, "ablation_skips")
-    assert told[-1].endswith("do harm, beyond the noise; time without them by the planned one, "
-                             "lowest first: sort on gas 1k 0.62.")  # fmt: skip
-    told = findings_ablation.sentences(result, "ablation_steps")
-    assert told == [told[0]]  # half of 87 is what the next step comes to as well: no loss
-    for row in rows:
-        if (row["skips"] or "").startswith("first_2"):
-            row["total_ms"] = [0.5 * ms for ms in row["total_ms"]]
-    told = findings_ablation.sentences(studied(*rows), "ablation_steps")
-    assert told[-1].endswith("the worst in ns per sphere: phantoms on gas 1k +21.8.")
-
-
-@pytest.mark.parametrize("name", plots.ABLATION_NAMES)
-def test_sentences_exist_in_both_languages_and_figures_in_one(name):
-    result = every_ablation()
-    english, chinese = (findings_ablation.sentences(result, name, s) for s in language.TEXTS)
-    assert len(english) == len(chinese) > 0
-    assert all(HAN.search(text) for text in chinese) and not HAN.search(" ".join(english))
-    assert not HAN.search(" ".join(drawn(result)[name]))
+def test_figures_are_in_english():
+    texts = [text for texts in drawn(every_ablation()).values() for text in texts]
+    assert not HAN.search(" ".join(texts))
 
 
 def test_an_interrupted_run_and_changed_sources_are_told():
     result = studied(*group_rows(), finished=False, dirty=True)
-    (told,) = findings.origins([result])
-    assert "(dirty)" in told and told.endswith("interrupted, so scenes are missing.")
+    origin, interrupted = captions.origins([result])
+    assert "with changes" in origin.en and interrupted.en.startswith("Interrupted")
 
 
 def test_the_interval_is_that_of_the_rounds_and_the_same_every_time():

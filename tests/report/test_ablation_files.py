@@ -34,7 +34,7 @@ def test_files_of_the_command(save, tmp_path, capsys):
     assert regret.verdict.tolist() == ["above", "within", "within", "within"]
     text = (out / "ablation.md").read_text()
     assert "| dense 5k | impl_cpu | **1.11** |" in text and "wrong −3 +1 | skipped |" in text
-    assert "![What each skip is worth](ablation_skips.png)" in text
+    assert "![Each skip forbidden alone](ablation_skips.png)" in text
 
 
 def test_one_scene_of_variants_alone_makes_no_figure_but_its_tables(tmp_path):
@@ -63,23 +63,24 @@ def test_the_page_has_the_sections_if_the_folder_holds_an_ablation(save, tmp_pat
     assert "ablation_skips" not in built(save, out)
     (out / "ablation.json").write_text(json.dumps(synthetic_ablation.every_case()))
     html = built(save, out)
-    places = [html.index(f'<h2 id="{name}">') for name in (*plots.ABLATION_NAMES, "regret")]
+    names = (*plots.ABLATION_NAMES, "regret")
+    places = [html.index(f'<details id="block-{name}"') for name in names]
     assert places == sorted(places)
     told = (
-        *("Measured on Example CPU 9000, 2026-01-02", "测于 Example CPU 9000", "每项省略的价值"),
-        *("Wrong answers: impl_cpu planned poly 2k", "first_11_skin (same plan)"),
+        *("Measured on Example CPU 9000, 2026-01-02", "测于 Example CPU 9000", "逐一禁止每项省略"),
+        *("<td>impl_cpu planned, no_sort</td>", "first_11_skin (same plan)"),
     )
     for text in told:
         assert text in html
     assert ablation_files.owned_names() <= {path.name for path in out.iterdir()}
-    assert "All 1 default" not in html and "The only default row is exact." in html
+    assert "Exact: all 1 default rows." in html
 
 
 def test_an_ablation_may_be_named_and_its_files_stay_when_none_is(save, tmp_path):
     path, out = tmp_path / "other.json", tmp_path / "out"
     path.write_text(json.dumps(document(*group_rows())))
-    assert '<h2 id="regret">' in built(save, out, "--ablation", str(path))
-    assert '<h2 id="regret">' not in built(save, out)
+    assert 'id="block-regret"' in built(save, out, "--ablation", str(path))
+    assert 'id="block-regret"' not in built(save, out)
     assert (out / "ablation_regret.png").exists()
 
 

@@ -7,7 +7,6 @@ import pytest
 
 from octocell_report import (
     dynamic,
-    findings,
     frames,
     page,
     page_tables,
@@ -84,11 +83,9 @@ def test_two_motions_of_one_scene_are_two_courses():
 
 
 def test_the_table_has_steady_and_first_frames():
-    table = page_tables.frames(result_of(*three()))
-    cells = [[str(cell.text) for cell in line.cells[:5]] for line in table.lines]
-    assert cells[0] == ["gas_brownian", "1k", "impl_cpu lowest_cell", "2.20", "11.0"]
-    assert table.lines[0].cells[3].small == "2.00–2.40"
-    assert table.lines[0].cells[5].text.en == "5, of these 2 warm-up"
+    table = page_tables.english(page_tables.steady_frames(result_of(*three())))
+    first = ["gas_brownian", "1k", "impl_cpu lowest_cell", "2.20 (2.00–2.40)", "11.0", "5", "2"]
+    assert list(table.iloc[0]) == first
 
 
 def test_frames_as_csv_mark_the_warm_up():
@@ -111,8 +108,8 @@ def test_a_row_stands_beside_the_same_frames_searched_again():
     ours = ("impl_cpu", "planned", None)
     rows = [moving(*ours, factor=1.0), moving(*ours, factor=4.0, skips="rebuilt", name="again")]
     result = result_of(*rows)
-    sentence = "impl_cpu planned takes 0.25 of the time of the same frames searched again."
-    assert findings.moving(result)[1:] == [f"gas_brownian 1k: {sentence}"]
+    table = page_tables.english(page_tables.steady_frames(result))
+    assert list(table["by again"]) == ["0.25"]
     figure = figure_of(result)
     found = {line.get_label(): line for line in figure.axes[0].get_lines()}
     beside = found["the same, searched again   8.80 ms"]
@@ -121,18 +118,9 @@ def test_a_row_stands_beside_the_same_frames_searched_again():
     assert len(plain.axes[0].get_lines()) == len(found) - 1
 
 
-def test_sentences_name_the_fastest_and_the_ratios():
-    assert findings.moving(result_of(*three())) == [
-        "gas_brownian 1k: the fastest steady frame is that of bullet_a, 1.10 ms.",
-        "gas_brownian 1k: our fastest steady frame is 3.00× as fast as FCL's fastest.",
-        "gas_brownian 1k: our fastest steady frame is 0.50× as fast as Bullet's fastest.",
-    ]
-    assert "one size" not in " ".join(findings.time(result_of(*three()), "warm")).lower()
-
-
 def test_a_moving_scene_has_no_table_of_runs_at_rest():
     result = result_of(*three())
-    assert page_tables.times(result) == [] and tables.runs(result) == []
+    assert page_tables.times(result).empty and tables.runs(result) == []
     html = page.render(result, page.Path("nowhere"))
     assert "steady frame [ms]" in html and "稳态帧 [ms]" in html
 
@@ -142,7 +130,7 @@ def test_dynamic_rows_without_frames_are_tolerated():
     less = skipped(row("fcl_a", None, None, run="dynamic"), "crashed: signal 11")
     result = parse(synthetic.document([group("gas", 1000)], [plain, less]))
     assert result.rows[0].round_ms == (1.0, 1.02, 1.04)
-    assert page_tables.frames(result) is None and dynamic.courses(result) == {}
+    assert page_tables.steady_frames(result).empty and dynamic.courses(result) == {}
     assert "crashed: signal 11" in page.render(result, page.Path("nowhere"))
 
 

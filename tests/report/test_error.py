@@ -6,10 +6,9 @@ from __future__ import annotations
 import pytest
 
 from octocell_report import (
+    captions,
     error,
-    findings_error,
-    language,
-    plots,
+    page_tables,
     style,
     words,
 )
@@ -147,9 +146,9 @@ def test_the_price_is_taken_within_rounds_over_stages_5_and_6():
     assert cost.whole.median == pytest.approx(27.4 / 20) and cost.candidates == 155
     exact["stage_ms"] = {}
     (cost,) = study_of(document(exact, plain)).costs
-    assert cost.stages is None and "impl_cpu" not in " ".join(
-        findings_error.prices(study_of(document(exact, plain)))
-    )
+    assert cost.stages is None
+    (line,) = page_tables.english(page_tables.costs(study_of(document(exact, plain)))).to_numpy()
+    assert line[2] == words.NONE and line[3].startswith("1.37 (")
 
 
 def test_another_configuration_gives_no_price():
@@ -161,50 +160,15 @@ def test_a_broken_guarantee_stands_out():
     rows = [row(losses=(0, 2)), row(predicate="f32"), row("fcl_a", None, None, None, losses=(7, 0))]
     study = study_of(document(*rows))
     assert error_map.text_of(point(study, "impl_cpu exact", "gas")) == "+5"
-    broken, libraries = findings_error.sentences(study, "error_map")
-    assert broken == "A claim is broken: impl_cpu exact gas 1M (−0 +2)."
-    assert "fcl_a gas 1M (−7 +0)" in libraries
+    assert captions.claims(study).en.startswith("0 of the 1 rows that claim to be exact are;")
     assert study.fronts("random") == {}
 
 
 def test_an_answer_that_changes_is_told():
     rows = [row(distinct_checksums=3), row(predicate="f32")]
-    found = findings_error.sentences(study_of(document(*rows)), "error_map")
-    assert "Not the same answer in all runs: impl_cpu exact gas 1M" in found[1]
-
-
-def test_findings_are_made_of_the_numbers_in_both_languages(both):
-    for name in plots.ERROR_NAMES:
-        english, chinese = (
-            findings_error.sentences(both, name, spoken) for spoken in language.TEXTS
-        )
-        assert len(english) == len(chinese) > 0
-    found = findings_error.sentences(both, "error_pareto")
-    assert found[1] == (
-        "On structured scenes (11.8M true pairs) these make no error: exact, q16_exact, f64; wrong "
-        "are aabb_only (+1.11M on lattice(spacing=0.1)), q16_cell (−975k on fcc), f16_cell (+764k "
-        "on fcc), f32_sqrt (+24.8k on fcc), gram_f32 (−6.74k +7.34k on fcc), f32 (−2.1k +940 on "
-        "lattice(spacing=0.1))."
-    )
-    assert "impl_cpu 0.78 with aabb_only (+1.23M on huge)" in found[3]
-    assert "Bullet 86.5×, FCL 28.9×" in found[4]
-    assert "f16_cell 0.032 % (gas)" in findings_error.sentences(both, "error_depth")[0]
-    assert findings_error.prices(both)[0].startswith("impl_cpu: deciding exactly takes 1.07 times")
-
-
-@pytest.mark.parametrize(
-    ("value", "text"),
-    [
-        (0.0, "0"),
-        (3.1e-8, "3.1e-08"),
-        (0.00032, "0.032 %"),
-        (1.5, "1.50×"),
-        (110.4, "110×"),
-        (float("inf"), "> 1000×"),
-    ],
-)
-def test_depths_are_told_in_short(value, text):
-    assert findings_error.share(value) == text
+    told = captions.claims(study_of(document(*rows)))
+    assert told.en.endswith("are; 1 rows changed their answer between runs.")
+    assert told.zh.endswith("1 行各次运行的结果不一致。")
 
 
 def test_predicates_have_a_colour_each():
@@ -222,10 +186,7 @@ def test_rates_are_short(value, text):
 def test_negative_controls_do_not_fail_the_check(save, capsys):
     known = document(row(), row(predicate="f32", losses=(2, 0)))
     assert main(["check", str(save(known))]) == 0
-    assert (
-        capsys.readouterr().out
-        == "The only default row is exact. 0 skipped, 1 negative controls.\n"
-    )
+    assert capsys.readouterr().out == "Exact: all 1 default rows. 0 skipped, 1 negative controls.\n"
 
 
 def test_series_are_ordered_by_predicate_then_library(both):

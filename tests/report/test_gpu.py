@@ -3,16 +3,12 @@
 
 from __future__ import annotations
 
-import re
-
 import pandas as pd
 import pytest
 
 from octocell_report import (
     bandwidth,
-    findings,
-    findings_gpu,
-    gpu_runs,
+    front,
     page,
     page_tables,
     plots,
@@ -22,7 +18,7 @@ from octocell_report import (
 )
 from octocell_report.cli import main
 from octocell_report.fields import ReportError
-from octocell_report.load import Place, parse
+from octocell_report.load import DEVICE_RUNS, Place, parse
 
 import synthetic
 import synthetic_gpu
@@ -30,7 +26,6 @@ from synthetic import group, row
 from synthetic_gpu import device_row
 
 DEVICE_FILES = {"stages_device.png", "bandwidth.png", "bandwidth_by_size.png", "bandwidth.csv"}
-HAN = re.compile(r"[\u4e00-\u9fff]")
 
 
 @pytest.fixture(scope="module")
@@ -59,18 +54,15 @@ def test_too_few_bytes_are_told_and_not_ranked():
         total_ms=[2.0],
     )
     found = of_rows(known, gpu=synthetic_gpu.gpu())
-    assert findings_gpu.bandwidths(found) == [
-        "impl_cuda_custom, at the largest sizes of 1 scene, of the bandwidth of a copy "
-        "(2\u202f900 GB/s): sort 50 %.",
-        "Too few bytes to tell, since copying them takes less than 5 µs: bounds (gas 1M).",
-    ]
+    assert [rate.tiny for rate in bandwidth.rates(found, found.rows[0])] == [True, False]
 
 
 def test_without_a_measured_copy_rates_stand_alone():
     known = device_row(stage_ms={"sort": [1.0]}, stage_bytes={"sort": 10**9}, total_ms=[1.0])
     found = of_rows(known)
     assert found.gpu is None
-    assert "no copy was measured: sort 1\u202f000 GB/s." in findings_gpu.bandwidths(found)[0]
+    (rate,) = bandwidth.rates(found, found.rows[0])
+    assert (rate.gbps, rate.share, rate.tiny) == (1000, None, False)
     assert dict(plots.draw_all(found)).keys() >= {"bandwidth"}
 
 
@@ -82,11 +74,10 @@ def test_rows_that_are_not_exact_have_no_bandwidth():
 def test_runs_are_held_against_the_warm_one_round_by_round():
     times = {"warm": [1.0, 2.0, 4.0], "graph": [0.5, 1.0, 4.0], "transfers": [3.0, 6.0, 12.0]}
     rows = [device_row(n=1000, run=r, total_ms=t, device_bytes=9000) for r, t in times.items()]
-    (runs,) = gpu_runs.all_runs(of_rows(*rows, row(n=1000)))
-    assert (runs.to_warm("graph"), runs.to_warm("transfers")) == (0.5, 3.0)
-    assert runs.to_warm("cold") is None and runs.bytes_per_sphere == 9.0
-    table = page_tables.gpu(of_rows(*rows))
-    assert [cell.small for cell in table.lines[0].cells[4:6]] == ["0.50×", "3.00×"]
+    (line,) = page_tables.english(page_tables.gpu(of_rows(*rows, row(n=1000)))).to_dict("records")
+    assert line["graph [ms]"] == "1.00 (0.50×)" and line["with transfers [ms]"] == "6.00 (3.00×)"
+    assert line["warm [ms]"] == "2.00 (1.00–4.00)" and line["device bytes per sphere"] == "9.00"
+    assert "cold [ms]" not in line
 
 
 def test_each_side_is_shown_at_its_own_largest_size(result):
@@ -94,15 +85,15 @@ def test_each_side_is_shown_at_its_own_largest_size(result):
     for name, size in (("backend", "1M"), ("baseline", "1M"), ("device", "30M")):
         axes = named[f"stages_{name}"].axes
         assert axes[0].get_title(loc="left") == f"gas, {size} spheres"
-    assert not {f"time_{run}" for run in gpu_runs.RUNS[1:4]} & set(named)
+    assert not {f"time_{run}" for run in DEVICE_RUNS} & set(named)
     assert [p.n for p in tables.measured_memory(result)] == [10**6, 10**6]
     assert tables.compared(result, "gas", "warm") == Place("gas", 10**6)
 
 
-def test_speeds_are_told_apart_for_host_and_device(result):
-    told = findings.speed(result, "warm")
-    assert len(told) == 4
-    assert "row on the host is ahead" in told[0] and "row on the GPU is ahead" in told[2]
+def test_the_front_has_a_column_for_the_device(result):
+    assert list(front.best(result).columns) == [
+        *("Octocell", "Octocell, 16 threads", "Octocell, GPU", "FCL", "Bullet")
+    ]
 
 
 def test_backends_keep_their_colours(result):
@@ -128,15 +119,7 @@ def test_a_build_with_a_device_and_one_without(save, tmp_path):
     assert main(["build", str(save(plain)), "-o", str(out)]) == 0
     assert not DEVICE_FILES & {path.name for path in out.iterdir()}
     html = (out / "index.html").read_text()
-    assert 'id="gpu"' not in html and 'id="bandwidth"' not in html
-
-
-def test_sentences_exist_in_both_languages(result):
-    for tell in (findings_gpu.bandwidths, findings_gpu.by_size, findings_gpu.runs):
-        english, chinese = tell(result), tell(result, "zh")
-        assert len(english) == len(chinese) > 0
-        assert all(HAN.search(text) for text in chinese)
-        assert not any(HAN.search(text) for text in english)
+    assert 'id="device"' not in html
 
 
 @pytest.mark.parametrize(

@@ -18,6 +18,7 @@ from octocell_report.plots import (
     depth,
     dynamic,
     error_map,
+    front,
     memory,
     pareto,
     regret,
@@ -31,6 +32,7 @@ from octocell_report.style import Look
 
 # Every name that draw_all() may use: a build replaces or removes these and nothing else.
 NAMES = (
+    "front",
     *(f"time_{run}" for run in ("warm", "cold", "first_update", "update")),
     "stages_backend",
     "stages_device",
@@ -79,6 +81,7 @@ def _drawn(plans: Mapping[str, Callable[[], Figure | None]]) -> Iterator[tuple[s
 def _plans(result: Result, looks: dict[Impl, Look]) -> dict[str, Callable[[], Figure | None]]:
     runs = tables.runs(result)
     return {
+        "front": partial(front.draw, result),
         **{f"time_{run}": partial(time.draw, result, looks, run) for run in runs},
         "stages_backend": partial(stages.draw, result, looks, "backend"),
         "stages_device": partial(stages.draw, result, looks, "device"),
