@@ -6,97 +6,76 @@ from __future__ import annotations
 import re
 from functools import cache
 
-_SYMBOLS = (
-    "H D He Li Be B C N O F Ne Na Mg Al Si P S Cl Ar K Ca Sc Ti V Cr Mn Fe Co Ni Cu Zn Ga Ge As Se"
-    " Br Kr Rb Sr Y Zr Nb Mo Tc Ru Rh Pd Ag Cd In Sn Sb Te I Xe Cs Ba La Ce Pr Nd Pm Sm Eu Gd Tb Dy"
-    " Ho Er Tm Yb Lu Hf Ta W Re Os Ir Pt Au Hg Tl Pb Bi Po At Rn Fr Ra Ac Th Pa U Np Pu Am Cm Bk Cf"
-    " Es Fm Md No Lr Rf Db Sg Bh Hs Mt Ds Rg Cn Nh Fl Mc Lv Ts Og"
-)
-SYMBOLS = frozenset(_SYMBOLS.split())
+import gemmi
+
+MASSES = {gemmi.Element(z).name: gemmi.Element(z).weight for z in range(1, 119)} | {"D": 2.014}
+SYMBOLS = frozenset(MASSES)
 
 # Angstrom, as text so that they are rounded once, in the unit that is written.
 # A. Bondi, J. Phys. Chem. 68 (1964) 441; hydrogen and the main-group elements that Bondi lacks:
 # M. Mantina et al., J. Phys. Chem. A 113 (2009) 5806. Elements on which tables differ are left out.
-RADII = {
-    **{"H": "1.10", "D": "1.10", "He": "1.40"},
-    **{"Be": "1.53", "B": "1.92", "C": "1.70", "N": "1.55", "O": "1.52", "F": "1.47", "Ne": "1.54"},
-    **{"Na": "2.27", "Mg": "1.73", "Al": "1.84", "Si": "2.10", "P": "1.80", "S": "1.80"},
-    **{"Cl": "1.75", "Ar": "1.88", "K": "2.75", "Ca": "2.31", "Ni": "1.63", "Cu": "1.40"},
-    **{"Zn": "1.39", "Ga": "1.87", "Ge": "2.11", "As": "1.85", "Se": "1.90", "Kr": "2.02"},
-    **{"Rb": "3.03", "Sr": "2.49", "Pd": "1.63", "Ag": "1.72", "Cd": "1.58", "In": "1.93"},
-    **{"Sn": "2.17", "Sb": "2.06", "Te": "2.06", "I": "1.98", "Xe": "2.16", "Cs": "3.43"},
-    **{"Ba": "2.68", "Au": "1.66", "Tl": "1.96", "Pb": "2.02", "Bi": "2.07", "Br": "1.85"},
-    "Li": "1.82",
-}
+_TABLE = (
+    "H 1.10 D 1.10 He 1.40 Li 1.82 Be 1.53 B 1.92 C 1.70 N 1.55 O 1.52 F 1.47 Ne 1.54 Na 2.27"
+    " Mg 1.73 Al 1.84 Si 2.10 P 1.80 S 1.80 Cl 1.75 Ar 1.88 K 2.75 Ca 2.31 Ni 1.63 Cu 1.40 Zn 1.39"
+    " Ga 1.87 Ge 2.11 As 1.85 Se 1.90 Br 1.85 Kr 2.02 Rb 3.03 Sr 2.49 Pd 1.63 Ag 1.72 Cd 1.58"
+    " In 1.93 Sn 2.17 Sb 2.06 Te 2.06 I 1.98 Xe 2.16 Cs 3.43 Ba 2.68 Au 1.66 Tl 1.96 Pb 2.02"
+    " Bi 2.07"
+).split()
+RADII = dict(zip(_TABLE[::2], _TABLE[1::2], strict=True))
 
-# Grams per mole, for files that know types by mass only.
-_MASSES = {
-    **{"H": 1.008, "D": 2.014, "He": 4.0026, "Li": 6.94, "B": 10.81, "C": 12.011, "N": 14.007},
-    **{"O": 15.999, "F": 18.998, "Ne": 20.180, "Na": 22.990, "Mg": 24.305, "Al": 26.982},
-    **{"Si": 28.085, "P": 30.974, "S": 32.06, "Cl": 35.45, "Ar": 39.948, "K": 39.098},
-    **{"Ca": 40.078, "Ti": 47.867, "Fe": 55.845, "Ni": 58.693, "Cu": 63.546, "Zn": 65.38},
-    **{"Br": 79.904, "Kr": 83.798, "Ag": 107.868, "I": 126.904, "Xe": 131.293, "Au": 196.967},
-}
 _MASS_TOLERANCE = 0.015  # below the 0.020 between N and a united CH2
 _LIGHT_TOLERANCE = 0.005  # mass 1 is that of Lennard-Jones particles, not of hydrogen
 
 # In these an atom's first letter is its element; CA is a carbon, and MW of water is no atom at all.
-_RESIDUES = (
+_BIOMOLECULES = frozenset(
     "ALA ARG ASN ASP CYS GLN GLU GLY HIS ILE LEU LYS MET PHE PRO SER THR TRP TYR VAL"
     " HSD HSE HSP HID HIE HIP HISA HISB HISH HISD HISE CYX CYM CYS2 CYSH ASH ASPH GLH GLUH LYN LYSH"
     " ACE NME NMA NAC NH2 A C G U T DA DC DG DT DU ADE CYT GUA URA THY RA RC RG RU"
-    " HOH SOL WAT H2O TIP TIP3 TIP4 TIP5 TIP3P TIP4P T3P T4P T5P SPC SPCE"
+    " HOH SOL WAT H2O TIP TIP3 TIP4 TIP5 TIP3P TIP4P T3P T4P T5P SPC SPCE".split()
 )
-_BIOMOLECULES = frozenset(_RESIDUES.split())
-_FIRST_LETTERS = frozenset("HCNOSP")
 _CHARMM_IONS = {"SOD": "Na", "CLA": "Cl", "POT": "K", "CAL": "Ca", "CES": "Cs", "LIT": "Li"}
 _ION_RESIDUES = frozenset(("ION", "IONS"))
 # Elsewhere the first letter decides too, but for these, whose second letter is no place or number.
-_TWO_LETTERS = frozenset(
-    ("CL", "BR", "SI", "SE", "FE", "ZN", "MG", "MN", "CU", "LI", "AL", "AU", "AG", "PT")
-)
-_LONE_LETTERS = frozenset("HCNOSPFIB")
+_TWO_LETTERS = frozenset("CL BR SI SE FE ZN MG MN CU LI AL AU AG PT".split())
 
 
 def symbol(text: str) -> str | None:
-    """The element that is written out, in any case: C, CL, Cl."""
+    """Returns the element that is written out, in any case: C, CL, Cl."""
     found = text.strip().capitalize()
     return found if found in SYMBOLS else None
 
 
 def symbol_of_mass(mass: float) -> str | None:
     tolerance = _MASS_TOLERANCE if mass > 2 else _LIGHT_TOLERANCE
-    near = [s for s, m in _MASSES.items() if abs(m - mass) <= tolerance]
+    near = [s for s in RADII if abs(MASSES[s] - mass) <= tolerance]
     return near[0] if len(near) == 1 else None
 
 
 @cache
 def element_of(name: str, residue: str) -> str | None:
-    """The element of an atom whose file gives but names; None if it is none, or unknown."""
+    """Returns the element of an atom whose file has only names; None if it is none, or unknown."""
     letters = _letters(name)
-    if not letters:
-        return None
-    if residue in _BIOMOLECULES:
-        return letters[0] if letters[0] in _FIRST_LETTERS else None
-    if letters == _letters(residue) or residue in _ION_RESIDUES:
+    if residue.strip() in _BIOMOLECULES:
+        return letters[0] if letters and letters[0] in "HCNOSP" else None
+    if letters == _letters(residue) or residue.strip() in _ION_RESIDUES:
         return _CHARMM_IONS.get(letters) or symbol(letters)
     if letters[:2] in _TWO_LETTERS:
         return letters[:2].capitalize()
-    return letters[0] if letters[0] in _LONE_LETTERS else symbol(letters)
+    return letters[0] if letters and letters[0] in "HCNOSPFIB" else symbol(letters)
 
 
 @cache
 def element_of_pdb(name: str, residue: str) -> str | None:
-    """The same for PDB's four columns, where a symbol of two letters starts in the first."""
-    if residue in _BIOMOLECULES or not name.strip():
-        return element_of(name.strip(), residue)
-    hydrogen = name[0] == "H" and len(name.strip()) == 4
-    if name[0].isalpha() and not hydrogen:
-        return symbol(name[:2]) or element_of(name.strip(), residue)
-    return symbol(name[:1] if hydrogen else name[1:2])
+    """Returns the same for PDB's four columns, where symbols of two letters start in the first."""
+    letters = _letters(name)
+    if residue.strip() in _BIOMOLECULES or letters == _letters(residue):
+        return element_of(name, residue)
+    if name[:1].isalpha() and not (name[0] == "H" and len(name.strip()) == 4):
+        return symbol(name[:2]) or element_of(name, residue)
+    return symbol(letters[:1])
 
 
 def _letters(name: str) -> str:
     """The first run of letters, in capitals: HB of 1HB2."""
-    found = re.search(r"[A-Za-z]+", name)
+    found = re.search("[A-Za-z]+", name)
     return found[0].upper() if found else ""

@@ -1,79 +1,63 @@
 # SPDX-License-Identifier: MIT
 """The one list of formats: which suffix means which reader."""
 
-from __future__ import annotations
-
-from collections.abc import Callable, Iterator
-from functools import partial
+from collections.abc import Iterator
+from importlib import import_module
 from pathlib import Path
-from typing import NamedTuple
 
-from octocell_import.errors import InputError
+from octocell_import import InputError
 from octocell_import.frame import Frame
-from octocell_import.gro import read_gro
-from octocell_import.lammps_data import read_lammps_data
-from octocell_import.lammps_dump import read_lammps_dump
-from octocell_import.pdb import read_pdb, read_pqr
-from octocell_import.text import COMPRESSED
-from octocell_import.trr import read_trr
-from octocell_import.xyz import read_xyz
+from octocell_import.octocell import frames_by_octocell
+from octocell_import.text import DAMAGED, PACKED, File, open_bytes
 
-Reader = Callable[[Path], Iterator[Frame]]
-
-
-def _read_ply(path: Path) -> Iterator[Frame]:
-    from octocell_import.ply import read_ply  # only PLY needs the library
-
-    return read_ply(path)
-
-
-class Format(NamedTuple):
-    suffixes: tuple[str, ...]
-    read: Reader
-
-
+OCTOCELL = "octocell"
+# A format's reader is `read` in the module of its name, which is loaded when it is wanted.
 FORMATS = {
-    "gro": Format((".gro",), read_gro),
-    "pdb": Format((".pdb", ".ent"), read_pdb),
-    "pqr": Format((".pqr",), read_pqr),
-    "xyz": Format((".xyz", ".extxyz"), read_xyz),
-    "lammps-data": Format((".data", ".lmp", ".lammps"), read_lammps_data),
-    "lammps-dump": Format((".dump", ".lammpstrj"), read_lammps_dump),
-    "ply": Format((".ply",), _read_ply),
-    "trr": Format((".trr",), read_trr),
+    OCTOCELL: [".pqr", ".npy", ".csv", ".tsv", ".txt", ".dat", ".xyzr", ".spheres"],
+    "gro": [".gro"],
+    "lammps-data": [".data", ".lmp", ".lammps"],
+    "lammps-dump": [".dump", ".lammpstrj"],
+    "mmcif": [".cif", ".mmcif"],
+    "pdb": [".pdb", ".ent", ".pdbqt"],
+    "ply": [".ply"],
+    "swc": [".swc"],
+    "trr": [".trr"],
+    "vtk": [".vtk"],
+    "xyz": [".xyz", ".extxyz"],
 }
 _ELSEWHERE = {
     ".xtc": "'gmx trjconv -f IN.xtc -o OUT.trr' makes a .trr of it",
     ".dcd": "write it as .xyz or .pdb with the program that made it",
-    ".npy": "octocell reads it as it is",
-    ".csv": "octocell reads it as it is",
 }
 
 
-def frames(path: Path, name: str | None, atom_style: str | None) -> tuple[str, Iterator[Frame]]:
-    """The format's name and its frames, read as they are asked for. Throws InputError."""
-    chosen = name or _by_suffix(path)
-    read = FORMATS[chosen].read
-    if chosen == "lammps-data":
-        read = partial(read_lammps_data, atom_style=atom_style)
-    elif atom_style is not None:
-        raise InputError(f"{path}: --atom-style is for LAMMPS data files, this is {chosen}")
-    return chosen, read(path)
+def frames(path: Path, name: str, **options: str) -> Iterator[Frame]:
+    """Gives frames, read as they are asked for. Throws InputError."""
+    if name == OCTOCELL:
+        yield from frames_by_octocell(path)
+        return
+    module, _, part = name.partition("-")
+    reader = import_module(f"octocell_import.{module}")
+    read = getattr(reader, f"read_{part}" if part else "read")
+    try:
+        with open_bytes(path) as raw:
+            yield from read(File(raw, path.suffix), **options)
+    except DAMAGED as error:
+        why = getattr(error, "strerror", None) or error
+        raise InputError(f"{path}: cannot be read: {why}") from error
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from error
 
 
-def stem(path: Path) -> str:
-    """The name without .gz or the like, and without the format's suffix."""
-    return _uncompressed(path).stem
+def unpacked(path: Path) -> Path:
+    return path.with_suffix("") if path.suffix.lower() in PACKED else path
 
 
-def _uncompressed(path: Path) -> Path:
-    return path.with_suffix("") if path.suffix.lower() in COMPRESSED else path
-
-
-def _by_suffix(path: Path) -> str:
-    suffix = _uncompressed(path).suffix.lower()
-    for name, known in FORMATS.items():
-        if suffix in known.suffixes:
+def format_of(path: Path) -> str:
+    """Throws InputError."""
+    suffix = unpacked(path).suffix.lower()
+    for name, suffixes in FORMATS.items():
+        if suffix in suffixes:
             return name
     hint = _ELSEWHERE.get(suffix, f"give --format: {', '.join(FORMATS)}")
     raise InputError(f"{path}: no format is known by the suffix '{suffix}'; {hint}")

@@ -1,34 +1,98 @@
 # SPDX-License-Identifier: MIT
 """What every reader gives: the atoms of one frame, still as the file has them."""
 
-from __future__ import annotations
-
-from collections.abc import Sequence
-from dataclasses import dataclass, field
-from typing import Any
+import re
+from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-# Decimals stay text until they are rounded, once; binary formats give arrays.
-Column = Sequence[str] | NDArray[np.floating[Any]]
+from octocell_import import InputError, quote
+from octocell_import.decimals import Column, Floats, NotAFloat, to_float32
+
+Kind = tuple[str, str | None]  # the atom's name or type, as in the file, and its element
+KNOWN = ("x", "y", "z", "radius", "diameter", "kind", "line")
+_CHUNK = 50_000  # atoms, whose words take a few megabytes
+NO_ALTLOC = (b"", b" ", b".", b"?")
+EXPONENTS = {"angstrom": 0, "nm": 1}  # what a unit of length is in Angstrom, as a power of ten
 
 
 @dataclass
 class Frame:
-    xyz: tuple[Column, Column, Column]  # [count] each, in `unit`
-    unit: str | None  # "angstrom", "nm", or None: the file has a unit of its own
-    labels: list[str]  # [count] atom name or type as in the file; empty: all alike
-    elements: list[str | None]  # [count] symbol, None: unknown; empty: no atoms, points
-    radii: Column | None = None  # [count] in `unit`
-    lines: Sequence[int] = ()  # [count] from 1; empty: the file has no lines
-    elements_from: str = ""  # where the reader found them
-    remarks: list[str] = field(default_factory=list)  # what the reader assumed
+    """Columns hold one entry an atom: x, y, z; and, if the file has them, radius or diameter, kind,
+    chain, residue, number (the residue's), altloc, line."""
 
-    @property
-    def count(self) -> int:
-        return len(self.xyz[0])
+    columns: dict[str, Column]
+    unit: str | None = None  # None: one of the file's own
+    kinds: list[Kind] = field(default_factory=list)  # what the column kind numbers
+    elements_from: str = ""
+    said: list[str] = field(default_factory=list)  # what the reader assumed
+    model: str = ""  # its number in the file
+
+    def __len__(self) -> int:
+        return len(self.columns["x"])
 
     def place(self, atom: int) -> str:
-        """Where in the file: people look for lines, else they count atoms from 1."""
-        return f"line {self.lines[atom]}" if len(self.lines) else f"atom {atom + 1}"
+        """Returns where in the file: people look for lines, else they count atoms from 1."""
+        lines = self.columns.get("line")
+        return f"atom {atom + 1}" if lines is None else f"line {lines[atom]}"
+
+    def take(self, atoms: Column | slice) -> "Frame":
+        """Returns these atoms alone, in this order."""
+        return replace(self, columns={name: c[atoms] for name, c in self.columns.items()})
+
+    def numbers(self, name: str, exponent: int, strict: bool) -> Floats:
+        """Returns a column times 10^exponent. What is no number throws InputError, or is NaN."""
+        try:
+            return to_float32(self.columns[name], exponent, strict)
+        except NotAFloat as error:
+            raise InputError(f"{self.place(error.index)}: {name}: {error}") from error
+
+
+def points(columns: dict[str, Column]) -> Frame:
+    """Returns points of no unit, whose columns may be in capitals or have CloudCompare's prefix."""
+    known: dict[str, Column] = {}
+    for name, column in columns.items():
+        meant = name.lower().removeprefix("scalar_")
+        if meant in known and meant in KNOWN:
+            raise InputError(f"two columns are called {meant}, one of them {quote(name)}")
+        known[meant] = column
+    for name in "xyz":
+        if name not in known:
+            raise InputError(f"the vertices have no number {name}")
+    for name in known.keys() & {"radius", "diameter"}:
+        if len(known[name]) != len(known["x"]):
+            raise InputError(f"{len(known['x'])} points, but {len(known[name])} times {name}")
+    return Frame({name: known[name] for name in KNOWN if name in known})
+
+
+def encode(*columns: Column) -> tuple[Column, list[list[str]]]:
+    """Returns a number for each combination of words, and the words of each number."""
+    codes: dict[tuple[bytes, ...], int] = {}
+    parts: list[Column] = [np.empty(0, np.int32)]
+    for start in range(0, len(columns[0]), _CHUNK):
+        atoms = zip(*(c[start : start + _CHUNK].tolist() for c in columns), strict=True)
+        parts.append(np.fromiter((codes.setdefault(a, len(codes)) for a in atoms), np.int32))
+    texts = [[word.decode("utf-8", "replace") for word in words] for words in codes]
+    return np.concatenate(parts), texts
+
+
+def choose(frame: Frame, choices: dict[str, list[str]]) -> Column | slice:
+    """Returns the atoms that have, in each column named, one of its values. Throws InputError."""
+    if not choices:
+        return slice(None)
+    keep = np.ones(len(frame), bool)
+    for name, values in choices.items():
+        if name not in frame.columns:
+            raise InputError(f"--{name}: the file has none")
+        words = np.char.strip(frame.columns[name])
+        fits = np.isin(words, [value.encode() for value in values])
+        fits |= (name == "altloc") & np.isin(words, NO_ALTLOC)
+        for value in values if name == "residue" else []:
+            if ends := re.fullmatch(r"(-?\d{1,6})(?:-(-?\d{1,6}))?", value):
+                number = frame.numbers("number", 0, strict=False)
+                fits |= (number >= int(ends[1])) & (number <= int(ends[2] or ends[1]))
+        keep &= fits
+    if len(frame) and not keep.any():
+        asked = " ".join(f"--{name} {','.join(values)}" for name, values in choices.items())
+        raise InputError(f"no atom has {asked}")
+    return np.flatnonzero(keep)

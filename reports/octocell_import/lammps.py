@@ -1,59 +1,224 @@
 # SPDX-License-Identifier: MIT
-"""What LAMMPS' two text formats share: named columns of words, in any order of atoms."""
+"""LAMMPS' two text formats: data files, in sections, and dumps, frame by frame in ITEMs.
 
-from __future__ import annotations
+https://docs.lammps.org/read_data.html, https://docs.lammps.org/dump.html
+"""
 
-from itertools import pairwise
+import re
+from collections.abc import Callable, Iterator
 
-from octocell_import.decimals import NotAFloat, to_float32
-from octocell_import.frame import Column
-from octocell_import.text import TextFile
+import numpy as np
 
+from octocell_import import InputError, quote
+from octocell_import.decimals import Column, NotAFloat, to_float32, to_float64
+from octocell_import.elements import symbol, symbol_of_mass
+from octocell_import.frame import KNOWN, Frame, Kind, encode
+from octocell_import.text import File, is_whole, whole_numbers
+
+Columns = dict[str, Column]
+STYLES = {
+    "atomic": "id type x y z",
+    "charge": "id type q x y z",
+    "bond": "id mol type x y z",
+    "angle": "id mol type x y z",
+    "molecular": "id mol type x y z",
+    "full": "id mol type q x y z",
+    "sphere": "id type diameter density x y z",
+    "bpm/sphere": "id mol type diameter density x y z",
+    "dipole": "id type q x y z mux muy muz",
+    "electron": "id type q spin eradius x y z",
+    "template": "id type mol index atom x y z",
+}
+_GUESSES = {False: {5: "atomic", 8: "atomic"}}  # by the number of columns; True: there are bonds
+_GUESSES[True] = _GUESSES[False] | {6: "molecular", 7: "full", 9: "molecular", 10: "full"}
+_WHOLE = {"id", "mol", "spin", "index", "atom", "nx", "ny", "nz"}
+_ADVICE = f"give --atom-style: {', '.join(STYLES)}, or the columns' names: 'id type x y z radius'"
+_INTEGER = re.compile(rb"[-+]?\d+")
+_SECTION = re.compile(r"[A-Za-z][A-Za-z/_ ]*")
+_ITEMS = {"TIMESTEP": 1, "TIME": 1, "UNITS": 1, "NUMBER OF ATOMS": 1, "BOX BOUNDS": 3}  # lines
+_PLACES = (["x", "y", "z"], ["xu", "yu", "zu"], ["xs", "ys", "zs"], ["xsu", "ysu", "zsu"])
 # Units whose length is known; the others keep their own (https://docs.lammps.org/units.html).
-UNITS = {"real": "angstrom", "metal": "angstrom", "nano": "nm"}
-ASSUMED_UNIT = "unit       not in the file, taken as Angstrom (units real or metal)"
+_UNITS = {"": "angstrom", "real": "angstrom", "metal": "angstrom", "nano": "nm"}
 
 
-class Table:
-    """Rows of words under named columns."""
+def read_data(file: File, atom_style: str = "") -> Iterator[Frame]:
+    title = file.line("the title").decode("utf-8", "replace")
+    counts: dict[str, int] = {}  # of the header
+    types: dict[str, dict[str, str]] = {"Masses": {}, "Atom Type Labels": {}, "comment": {}}
+    section, how = "", ""
+    atoms: Columns = {name: np.empty(0, "S1") for name in ("x", "y", "z", "type")}
+    for line in file:
+        text, _, comment = (part.strip() for part in line.decode("utf-8", "replace").partition("#"))
+        words = text.split()
+        if _SECTION.fullmatch(text):
+            section = text
+            if section == "Atoms":
+                if how or "atoms" not in counts:
+                    file.refuse("a second section Atoms" if how else "no line 'N atoms' before it")
+                file.line()  # LAMMPS passes over it, whatever it holds
+                labels = {label.encode() for label in types["Atom Type Labels"].values()}
+                atoms, how = _atoms(file, counts, labels, atom_style, comment)
+        elif not section and " ".join(words[1:]) in ("atoms", "atom types", "bonds"):
+            counts[" ".join(words[1:])] = file.count(words[0].encode(), "number")
+        elif section in types and len(words) == 2:
+            types[section][words[0]] = words[1]
+            types["comment"][words[0]] = comment * (section == "Masses")
+        elif section == "Atoms" and words:
+            file.refuse(f"more atoms than the header's {counts['atoms']}: {quote(text)}")
+    if not how and counts.get("atoms") != 0:
+        raise InputError("no section Atoms")
 
-    def __init__(self, file: TextFile, names: list[str]) -> None:
-        self.file = file
-        self.at = {name: k for k, name in enumerate(names)}
-        self.rows: list[list[str]] = []
-        self.lines: list[int] = []
+    def element(kind: str) -> str | None:
+        """By a name that is written out, or else by mass."""
+        labels = types["Atom Type Labels"]
+        number = next((number for number, label in labels.items() if label == kind), kind)
+        for name in (labels.get(number, ""), *types["comment"].get(number, "").split()[:1]):
+            if symbol(name):
+                return symbol(name)
+        mass = types["Masses"].get(number) or types["Masses"].get(kind, "")
+        return symbol_of_mass(float(to_float32([mass], strict=False)[0]))
 
-    def add(self, words: list[str], line: int) -> None:
-        self.rows.append(words)
-        self.lines.append(line)
+    unit = re.search(r"units = (\w+)", title)
+    source = "the types' labels, comments or masses"
+    yield _frame(file, atoms, "type", element, source, unit[1] if unit else "", how)
 
-    def column(self, name: str) -> list[str]:
-        k = self.at[name]
-        return [row[k] for row in self.rows]
 
-    def sort_by_id(self) -> str:
-        """LAMMPS writes atoms in any order; by id, atom i is the same in every frame."""
-        if "id" not in self.at:
-            return "order      as in the file: it has no ids"
-        k = self.at["id"]
-        for row, line in zip(self.rows, self.lines, strict=True):
-            self.file.number = line
-            self.file.whole(row[k], "atom id")
-        order = sorted(range(len(self.rows)), key=lambda i: int(self.rows[i][k]))
-        for i, j in pairwise(order):
-            if int(self.rows[i][k]) == int(self.rows[j][k]):
-                self.file.refuse(f"id {self.rows[j][k]} is line {self.lines[i]}'s", self.lines[j])
-        self.rows = [self.rows[i] for i in order]
-        self.lines = [self.lines[i] for i in order]
-        return "order      by atom id"
+def _atoms(
+    file: File, counts: dict[str, int], labels: set[bytes], given: str, said: str
+) -> tuple[Columns, str]:
+    """The section's columns by name, and how the names were found."""
+    first, style = file.number + 1, given or said
+    names, how = STYLES.get(style, "").split(), f"atom style {style}"
+    if " " in style and {"x", "y", "z", "type"} <= set(style.split()):
+        names, how = style.split(), "as given"
+    elif not names and (given or len(style.split()) == 1 or style.startswith("hybrid")):
+        file.refuse(f"atom style {quote(style)} is not known; {_ADVICE}", first - 2)
+    columns = file.words(counts["atoms"], names, least=5, more=3 * bool(names), comment=b"#")
+    if not names:  # Atoms # some remark: LAMMPS takes that for a style, but people write it
+        lines, words, has_bonds = columns.pop("line"), list(columns.values()), counts.get("bonds")
+        names = STYLES.get(_GUESSES[bool(has_bonds)].get(len(words), ""), "").split()
+        styles = [s.split() for s in STYLES.values() if "mol" in s or not has_bonds]
+        fitting = [s for s in styles if _fits(s, words, counts.get("atom types", 0), labels)]
+        if not fitting or any(style != names for style in fitting):
+            file.refuse(f"{len(words)} columns and no atom style in the file; {_ADVICE}", first)
+        columns = dict(zip(names, words, strict=False)) | {"line": lines}
+        how = "no other style that is known here fits"
+    return columns, f"columns    {' '.join(names)} ({how})"
 
-    def radii(self) -> Column | None:
-        """A diameter is halved after rounding: halving is exact."""
-        if "radius" in self.at:
-            return self.column("radius")
-        if "diameter" not in self.at:
-            return None
-        try:
-            return to_float32(self.column("diameter")) / 2
-        except NotAFloat as error:
-            self.file.refuse(f"diameter {error}", self.lines[error.index])
+
+def _fits(names: list[str], words: list[Column], types: int, labels: set[bytes]) -> bool:
+    """Tells whether columns can be of a style, perhaps with three image flags behind."""
+    if len(words) not in (len(names), len(names) + 3):
+        return False
+    columns = dict(zip([*names, "nx", "ny", "nz"], words, strict=False))
+    kinds = set(columns["type"].tolist())
+    known = {word for word in kinds if is_whole(word) and 1 <= int(word) <= types} | labels
+    whole = (word for name in columns.keys() & _WHOLE for word in columns[name].tolist())
+    return kinds <= known and all(map(_INTEGER.fullmatch, whole))
+
+
+def read_dump(file: File) -> Iterator[Frame]:
+    said: dict[str, list[str]] = {}  # of each ITEM its own line, and those that follow
+    found = False
+    while line := file.filled():
+        if not line.startswith(b"ITEM: "):
+            file.refuse(f"'ITEM: ' expected: {quote(line)}")
+        item = line[6:].decode("utf-8", "replace").strip()
+        name = next((name for name in sorted(_ITEMS, reverse=True) if item.startswith(name)), "")
+        if item.split()[:1] == ["ATOMS"]:
+            yield _dumped(file, said, item.split()[1:])
+            said = {"UNITS": said["UNITS"]} if "UNITS" in said else {}  # stands once in a file
+            found = True
+        elif name:
+            lines = [file.line(f"the lines of ITEM: {name}") for _ in range(_ITEMS[name])]
+            said[name] = [item, *(line.decode("utf-8", "replace").strip() for line in lines)]
+            if name == "NUMBER OF ATOMS":
+                file.count(lines[0], "number of atoms")
+        else:
+            file.refuse(f"an ITEM that is not known: {quote(line)}")
+    if not found or set(said) - {"UNITS"}:
+        raise InputError(f"ends after line {file.number}, before ITEM: ATOMS")
+
+
+def _dumped(file: File, said: dict[str, list[str]], names: list[str]) -> Frame:
+    title, xyz = file.number, next((place for place in _PLACES if set(place) <= set(names)), None)
+    if xyz is None:
+        file.refuse("ITEM: ATOMS has neither x y z nor xu yu zu nor xs ys zs")
+    if "NUMBER OF ATOMS" not in said:
+        file.refuse("ITEM: ATOMS without an ITEM: NUMBER OF ATOMS before it")
+    own = [name if names.index(name) == k else f"{name} {k}" for k, name in enumerate(names)]
+    columns = file.words(int(said["NUMBER OF ATOMS"][1]), own)
+    for name, used in zip(names, own, strict=True):  # LIGGGHTS writes the type twice
+        if (columns[name] != columns[used]).any():
+            file.refuse(f"two columns are called {name}, and differ", title)
+    about = f"columns    {' '.join(xyz)}"
+    places = [columns[name] for name in xyz]
+    if "s" in xyz[0]:
+        places = _unscaled(file, said.get("BOX BOUNDS"), places, columns["line"], title)
+        about += ", scaled to the box in float64"
+    columns |= dict(zip("xyz", places, strict=True))
+    unit = said.get("UNITS", ["", ""])[1]
+    if "element" in names:
+        return _frame(file, columns, "element", symbol, "the column element", unit, about)
+    return _frame(file, columns, "type", lambda kind: None, "nothing", unit, about)
+
+
+def _unscaled(
+    file: File, box: list[str] | None, words: list[Column], lines: Column, title: int
+) -> list[Column]:
+    """Coordinates that were scaled to the box, whose edges may be tilted."""
+    if box is None:
+        file.refuse("scaled coordinates without ITEM: BOX BOUNDS", title)
+    try:
+        scaled = [to_float64(column) for column in words]
+        rows = np.array([line.split() for line in box[1:]], float)
+    except NotAFloat as error:
+        file.refuse(str(error), lines[error.index])
+    except ValueError:
+        rows = np.empty((0, 0))
+    if rows.shape not in ((3, 2), (3, 3), (3, 4)):
+        file.refuse(f"box bounds are not numbers: {quote(' / '.join(box[1:]))}", title)
+    if rows.shape == (3, 4):  # the edges, one a line, each with a coordinate of the origin
+        edges, origin = rows[:, :3], rows[:, 3]
+    else:  # the bounds enclose the tilts, too
+        xy, xz, yz = rows[:, 2] if rows.shape == (3, 3) else (0.0, 0.0, 0.0)
+        tilts = ((0.0, xy, xz, xy + xz), (0.0, yz), (0.0,))
+        ends = rows[:, :2] - [(min(tilt), max(tilt)) for tilt in tilts]
+        edges = np.diag(ends[:, 1] - ends[:, 0])
+        edges[[1, 2, 2], [0, 0, 1]] = xy, xz, yz
+        origin = ends[:, 0]
+    with np.errstate(all="ignore"):  # what is not finite is refused with its line
+        moved = [sum(scaled[i] * edges[i, k] for i in range(3) if edges[i, k]) for k in range(3)]
+        return [np.asarray(origin[k] + moved[k]) for k in range(3)]
+
+
+def _frame(
+    file: File,
+    columns: Columns,
+    label: str,
+    element: Callable[[str], str | None],
+    elements_from: str,
+    unit: str,
+    about: str,
+) -> Frame:
+    """The atoms by id: LAMMPS writes them in any order, but atom i should be one in all frames."""
+    order = "place in the file: it has no ids"
+    if "id" in columns:
+        ids, lines, order = whole_numbers(columns["id"]), columns["line"], "atom id"
+        if (ids < 0).any():
+            first = int((ids < 0).argmax())
+            file.refuse(f"{quote(columns['id'][first])} is no atom id", lines[first])
+        sort = np.argsort(ids, kind="stable")
+        twice = np.flatnonzero(np.diff(ids[sort]) == 0)
+        if len(twice):
+            first, second = sort[twice[0]], sort[twice[0] + 1]
+            file.refuse(f"id {ids[first]} is line {lines[first]}'s", lines[second])
+        columns = {name: column[sort] for name, column in columns.items()}
+    kinds: list[Kind] = []
+    if label in columns:
+        columns["kind"], texts = encode(columns[label])
+        kinds = [(name, element(name)) for [name] in texts]
+    units = f"units      {unit}" if unit else "unit       not in the file, taken as Angstrom"
+    kept = {name: column for name, column in columns.items() if name in KNOWN}
+    said = [f"order      by {order}", about, units]
+    return Frame(kept, _UNITS.get(unit), kinds, elements_from, said)

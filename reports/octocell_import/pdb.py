@@ -1,110 +1,76 @@
 # SPDX-License-Identifier: MIT
-"""PDB in its fixed columns, and PQR in words between blanks; a frame ends at ENDMDL or END.
+"""PDB in its fixed columns; MODEL, ENDMDL and END part frames.
 
 https://www.wwpdb.org/documentation/file-format-content/format33/v3.3.html
 """
 
-from __future__ import annotations
+from array import array
+from collections.abc import Callable, Iterator
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
-from pathlib import Path
+import numpy as np
 
-from octocell_import.decimals import NotAFloat, to_float32
-from octocell_import.elements import element_of, element_of_pdb, symbol
-from octocell_import.errors import InputError, quote
-from octocell_import.frame import Frame
-from octocell_import.text import TextFile
+from octocell_import import InputError, quote
+from octocell_import.decimals import Column
+from octocell_import.elements import element_of_pdb, symbol
+from octocell_import.frame import NO_ALTLOC, Frame, encode
+from octocell_import.text import File, card, fields
 
-_PQR_WORDS = (10, 11)  # without and with a chain; the last five are x y z charge radius
-
-
-@dataclass
-class _Atoms:
-    """The atoms of a frame as they come."""
-
-    columns: tuple[list[str], ...] = field(default_factory=lambda: ([], [], []))
-    labels: list[str] = field(default_factory=list)
-    elements: list[str | None] = field(default_factory=list)
-    radii: list[str] = field(default_factory=list)
-    lines: list[int] = field(default_factory=list)
-    guessed: int = 0  # elements that come from names
-    alternates: int = 0
-
-    def frame(self) -> Frame:
-        source = "columns 77 and 78"
-        if self.guessed:
-            all_guessed = self.guessed == len(self.labels)
-            source = "atom and residue names" if all_guessed else f"{source}, and names"
-        remarks = []
-        if self.alternates:
-            remarks.append(f"alternate  locations are kept: {self.alternates} atoms have them")
-        x, y, z = self.columns
-        radii = self.radii or None
-        return Frame(
-            xyz=(x, y, z),
-            unit="angstrom",
-            labels=self.labels,
-            elements=self.elements,
-            radii=radii,
-            lines=self.lines,
-            elements_from=source,
-            remarks=remarks,
-        )
+_WIDTH = 80
+_FIELDS = {"label": (12, 16), "altloc": (16, 17), "residue": (17, 20), "chain": (21, 22)}
+_FIELDS |= {"number": (22, 26), "x": (30, 38), "y": (38, 46), "z": (46, 54), "written": (76, 78)}
+_FIELDS |= {"sixth": (11, 12), "point": (35, 36)}  # where six digits of a serial end and move x's
+_POINTS = slice(34, 51, 8)  # of x, y and z
+_NO_ATOMS = (b"REMARK", b"USER", b"SIGATM", b"ANISOU", b"SIGUIJ")  # may have points there, too
 
 
-def read_pdb(path: Path) -> Iterator[Frame]:
-    with TextFile(path) as file:
-        yield from _frames(file, pqr=False)
-
-
-def read_pqr(path: Path) -> Iterator[Frame]:
-    with TextFile(path) as file:
-        yield from _frames(file, pqr=True)
-
-
-def _frames(file: TextFile, pqr: bool) -> Iterator[Frame]:
-    add = _add_pqr if pqr else _add_pdb
-    atoms = _Atoms()
-    found = False
-    while (line := file.next()) is not None:
-        if line.startswith(("ATOM", "HETATM")):
-            add(file, line, atoms)
-        elif line.startswith("END") and atoms.lines:
-            yield atoms.frame()
-            atoms, found = _Atoms(), True
-    if atoms.lines:
-        yield atoms.frame()
+def read(file: File) -> Iterator[Frame]:
+    cards, lines, model, found = bytearray(), array("q"), "", False
+    for line in file:
+        record = line[:6].strip()
+        if line.startswith((b"ATOM", b"HETATM")):
+            cards += card(file, line, 54, _WIDTH)
+            lines.append(file.number)
+        elif record in (b"MODEL", b"ENDMDL", b"END"):
+            if lines or model:
+                frame = _frame(file, cards, lines, model)
+                cards, lines, found = bytearray(), array("q"), True
+                yield frame
+            model = (line[6:].strip().decode("ascii", "replace") or "?") * (record == b"MODEL")
+        elif line[_POINTS] == b"..." and record not in _NO_ATOMS:
+            file.refuse(f"{quote(record)} is no record of an atom, but has x, y and z")
+    if lines or model:
+        yield _frame(file, cards, lines, model)
     elif not found:
-        raise InputError(f"{file.path}: no ATOM and no HETATM record")
+        raise InputError("no ATOM and no HETATM record")
 
 
-def _add_pdb(file: TextFile, line: str, atoms: _Atoms) -> None:
-    if len(line.rstrip()) < 54:
-        file.refuse(f"too short for x, y and z in columns 31 to 54: {quote(line)}")
-    for k, column in enumerate(atoms.columns):
-        column.append(line[30 + 8 * k : 38 + 8 * k])
-    name, written = line[12:16], line[76:78].strip()
-    atoms.labels.append(name.strip())
-    atoms.elements.append(symbol(written) if written else element_of_pdb(name, line[17:20].strip()))
-    atoms.guessed += not written
-    atoms.alternates += line[16] != " "
-    atoms.lines.append(file.number)
+def _frame(file: File, cards: bytearray, lines: "array[int]", model: str) -> Frame:
+    columns = fields(cards, _WIDTH, _FIELDS)
+    columns["line"] = np.array(lines)
+    late = np.char.isdigit(columns.pop("sixth")) & (columns.pop("point") == b".")
+    if late.any():
+        why = "a serial number of six digits moved x, y and z one column to the right"
+        file.refuse(why, lines[int(late.argmax())])
+    return molecule(columns, "columns 77 and 78", element_of_pdb, model)
 
 
-def _add_pqr(file: TextFile, line: str, atoms: _Atoms) -> None:
-    words = line.split()
-    if len(words) not in _PQR_WORDS:
-        file.refuse(f"{len(words)} fields, expected 10 or, with a chain, 11: {quote(line)}")
-    x, y, z, charge, radius = words[-5:]
-    for column, word in zip(atoms.columns, (x, y, z), strict=True):
-        column.append(word)
-    try:
-        to_float32([charge])  # not used, but a wrong one means that the fields are others
-    except NotAFloat as error:
-        file.refuse(f"charge {error}")
-    atoms.labels.append(words[2])
-    atoms.elements.append(element_of(words[2], words[3]))
-    atoms.radii.append(radius)
-    atoms.guessed += 1
-    atoms.lines.append(file.number)
+def molecule(
+    columns: dict[str, Column], source: str, by_name: Callable[[str, str], str | None], model: str
+) -> Frame:
+    """Returns atoms whose element is written, or else that of their names; says if they differ."""
+    columns["kind"], texts = encode(columns["label"], columns["residue"], columns["written"])
+    counts = np.bincount(columns["kind"], minlength=len(texts))
+    kinds, unsaid, differ = [], 0, 0
+    for (name, residue, written), count in zip(texts, counts.tolist(), strict=True):
+        guess = by_name(name, residue)
+        kinds.append((name.strip(), symbol(written) or guess))
+        unsaid += count * (symbol(written) is None)
+        differ += count * (guess not in (None, kinds[-1][1]))
+    said = [f"elements   of {differ} atoms are others by their names"] * bool(differ)
+    alternates = (~np.isin(columns["altloc"], NO_ALTLOC)).sum() if "altloc" in columns else 0
+    if alternates:
+        said.append(f"alternate  locations are kept: {alternates} atoms have them; see --altloc")
+    source += ", and names" * bool(unsaid)
+    if unsaid == len(columns["x"]):
+        source = "atom and residue names"
+    return Frame(columns, "angstrom", kinds, source, said, model)

@@ -1,57 +1,95 @@
 # SPDX-License-Identifier: MIT
-"""PLY, text or binary: the vertices' x, y, z, and radius or diameter if they have one."""
+"""PLY, text or binary: the vertices' x, y, z, and radius or diameter if they have one.
 
-from __future__ import annotations
+http://gamma.cs.unc.edu/POWERPLANT/papers/ply.pdf
+"""
 
-import io
-import warnings
-from collections.abc import Iterator
-from pathlib import Path
+import struct
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
-from plyfile import PlyData, PlyParseError  # type: ignore[import-untyped]
 
-from octocell_import.errors import InputError
-from octocell_import.frame import Frame
-from octocell_import.text import DAMAGED, open_bytes, unreadable
+from octocell_import import InputError, quote
+from octocell_import.decimals import Column
+from octocell_import.frame import Frame, points
+from octocell_import.text import File, as_column
 
-# What plyfile and NumPy say of headers that cannot be meant: counts below zero or beyond memory.
-_NO_PLY = (PlyParseError, ValueError, ArithmeticError, LookupError, TypeError, MemoryError)
-
-
-def read_ply(path: Path) -> Iterator[Frame]:
-    try:
-        with open_bytes(path) as stream:
-            content = io.BytesIO(stream.read())  # of a file itself plyfile may leave a handle open
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of rows that are not there, which are refused below
-            data = PlyData.read(content, mmap=False)
-    except _NO_PLY as error:
-        raise InputError(f"{path}: no sound PLY: {' '.join(str(error).split())}") from error
-    except DAMAGED as error:
-        raise unreadable(path, error) from error
-    vertices = next((element for element in data.elements if element.name == "vertex"), None)
-    if vertices is None or vertices.count == 0:
-        raise InputError(f"{path}: no vertices")
-    columns = {p.name: vertices[p.name] for p in vertices.properties if hasattr(p, "val_dtype")}
-    for name in ("x", "y", "z"):
-        if name not in columns or columns[name].dtype == object:
-            raise InputError(f"{path}: the vertices have no number {name}")
-    radii, remark = _radii(columns)
-    x, y, z = (_numbers(columns[name]) for name in ("x", "y", "z"))
-    yield Frame((x, y, z), None, [], [], radii, remarks=[remark] if remark else [])
+_TEXT = "text"
+_ORDERS = {"ascii": _TEXT, "binary_little_endian": "<", "binary_big_endian": ">"}
+_TYPES = {"char": "", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I"}
+_TYPES |= {"float": "f", "double": "d", "float32": "f", "float64": "d", "int8": ""}
+_TYPES |= {"uint8": "B", "int16": "h", "uint16": "H", "int32": "i", "uint32": "I"}
+_Property = tuple[str, str, str]  # name, type, and of a list the type of its length
+_Elements = dict[str, tuple[int, list[_Property]]]  # name: how many, and of what
 
 
-def _radii(columns: dict[str, NDArray[Any]]) -> tuple[NDArray[Any] | None, str]:
-    if "radius" in columns:
-        return _numbers(columns["radius"]), "radii      from the property radius"
-    if "diameter" in columns:
-        return _numbers(columns["diameter"]) / 2, "radii      from half the property diameter"
-    return None, ""
+def read(file: File) -> Iterator[Frame]:
+    if file.line().strip() != b"ply":
+        raise InputError("no sound PLY: it does not start with ply")
+    order, elements = _header(file)
+    if "vertex" not in elements:
+        raise InputError("no vertices")
+    columns = {name: _rows(file, name, *elements[name], order) for name in elements}
+    if file.filled():
+        file.refuse("more follows than the header says")
+    yield points(columns["vertex"])
 
 
-def _numbers(column: NDArray[Any]) -> NDArray[Any]:
-    """float32 as it is; anything else as float64, which holds every number a PLY may hold."""
-    return column if column.dtype == np.float32 else column.astype(np.float64)
+def _header(file: File) -> tuple[str, _Elements]:
+    order, elements, name = "", _Elements(), ""
+    while (line := file.line("end_header")).strip() != b"end_header":
+        match line.decode("ascii", "replace").split():
+            case _ if line[:1] == b"\r":
+                file.refuse("no sound PLY: lines end in LF and CR")
+            case ["format", form, "1.0"] if form in _ORDERS:
+                order = _ORDERS[form]
+            case ["element", name, count] if name not in elements:
+                elements[name] = file.count(count.encode(), "number of rows"), []
+            case ["property", kind, own] if name and kind in _TYPES:
+                elements[name][1].append((own, _TYPES[kind], ""))
+            case ["property", "list", length, kind, own] if name and {length, kind} <= set(_TYPES):
+                elements[name][1].append((own, _TYPES[kind], _TYPES[length]))
+            case words if words[:1] not in (["comment"], ["obj_info"], []):
+                file.refuse(f"no sound PLY: {quote(line)}")
+        names = [own for own, _, _ in elements[name][1]] if name else []
+        if len(set(names)) < len(names):
+            file.refuse(f"no sound PLY: two properties are called {quote(names[-1])}")
+    if not order:
+        file.refuse("no sound PLY: no format")
+    return order, elements
+
+
+def _rows(
+    file: File, name: str, count: int, properties: list[_Property], order: str
+) -> dict[str, Column]:
+    """The columns of an element's rows."""
+    names = [own for own, _, length in properties if not length]
+    if order == _TEXT and len(names) == len(properties):
+        return file.words(count, names)
+    if len(names) == len(properties):
+        kind = np.dtype([(own, order + code) for own, code, _ in properties])
+        rows = np.frombuffer(file.take(count * kind.itemsize, f"element {name}"), kind)
+        return {own: rows[own] for own in names}
+    values: dict[str, list[Any]] = {own: [] for own in names}
+    row: list[bytes] = []  # words that are left, the last one first
+
+    def cells(code: str, many: int = 1) -> Sequence[Any]:
+        if order == _TEXT:
+            return [row.pop() for _ in range(many)]
+        kind = f"{order}{many}{code}"
+        return struct.unpack(kind, file.take(struct.calcsize(kind), f"element {name}"))
+
+    for k in range(count):
+        if order == _TEXT:
+            row += reversed(file.line(f"row {k + 1} of {count} of element {name}").split())
+        try:
+            for own, code, length in properties:
+                found = cells(code, int(cells(length)[0]) if length else 1)
+                if not length:
+                    values[own].append(found[0])
+        except (IndexError, ValueError, struct.error):
+            file.refuse(f"row {k + 1} of {count} of element {name} has too few numbers")
+        if row:
+            file.refuse(f"row {k + 1} of {count} of element {name} has too many numbers")
+    return {own: as_column(v) if order == _TEXT else np.array(v) for own, v in values.items()}

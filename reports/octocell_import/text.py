@@ -1,81 +1,148 @@
 # SPDX-License-Identifier: MIT
-"""Files, compressed or not, read line by line with the line's number at hand."""
-
-from __future__ import annotations
+"""A file, unpacked on the way, and its text as columns of bytes."""
 
 import bz2
 import gzip
+import io
 import lzma
 import zlib
+from collections.abc import Iterator, Sequence
+from itertools import islice
 from pathlib import Path
-from typing import IO, NoReturn, cast
+from typing import Any, NoReturn
 
-from octocell_import.errors import InputError, quote
+import numpy as np
 
-COMPRESSED = {".gz": gzip.GzipFile, ".bz2": bz2.BZ2File, ".xz": lzma.LZMAFile}
-_DIGITS = 18  # of a number of things, which fits into 64 bits
-DAMAGED = (OSError, EOFError, zlib.error, lzma.LZMAError)
+from octocell_import import InputError, quote
+from octocell_import.decimals import Column
 
-
-def open_bytes(path: Path) -> IO[bytes]:
-    """Throws InputError."""
-    try:
-        opener = COMPRESSED.get(path.suffix.lower())
-        return path.open("rb") if opener is None else cast(IO[bytes], opener(path))
-    except OSError as error:
-        raise unreadable(path, error) from error
+PACKED: dict[str, Any] = {".gz": gzip.open, ".bz2": bz2.open, ".xz": lzma.open}
+DAMAGED = (OSError, EOFError, zlib.error, lzma.LZMAError)  # what reading may throw
+_MAGIC = {b"\x1f\x8b": ".gz", b"BZh": ".bz2", b"\xfd7zXZ": ".xz"}
+_CHUNK = 10_000  # lines that are held at a time
+_PIECE = 1 << 26  # bytes; what a header says of its file's size need not be so
+_WIDEST = 64  # bytes of a word; a column with longer ones holds objects, to save memory
 
 
-def unreadable(path: Path, error: BaseException) -> InputError:
-    why = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-    return InputError(f"{path}: cannot be read: {why}")
+def open_bytes(path: Path) -> Any:
+    is_stdin = str(path) == "-"
+    return open(0 if is_stdin else path, "rb", closefd=not is_stdin)
 
 
-class TextFile:
-    """Lines without their end; `number` is the last one's, from 1."""
+class File:
+    """Lines keep their ends, so none is empty; `number` is the last one's, from 1.
 
-    def __init__(self, path: Path) -> None:
-        self.path = path
-        self.number = 0
-        self._stream = open_bytes(path)
+    Errors name the line, but not the file, which the caller knows.
+    """
 
-    def __enter__(self) -> TextFile:
-        return self
+    def __init__(self, raw: Any, suffix: str) -> None:
+        self.number, self.position = 0, 0
+        start = raw.peek(8)
+        magic = next((name for key, name in _MAGIC.items() if start.startswith(key)), "")
+        opener = PACKED.get(suffix.lower()) or PACKED.get(magic)
+        self._stream = io.BufferedReader(opener(raw)) if opener else raw
+        if self._stream.peek(3).startswith(b"\xef\xbb\xbf"):  # a byte order mark
+            self._stream.read(3)
 
-    def __exit__(self, *error: object) -> None:
-        self._stream.close()
+    def __iter__(self) -> Iterator[bytes]:
+        while line := self.line():
+            yield line
 
-    def next(self) -> str | None:
-        """None at the end."""
-        try:
-            line = self._stream.readline()
-        except DAMAGED as error:
-            raise unreadable(self.path, error) from error
-        if not line:
-            return None
-        self.number += 1
-        # Titles and comments may be in any encoding; numbers that are not ASCII are refused later.
-        return line.decode("utf-8", errors="replace").rstrip("\r\n")
-
-    def next_filled(self) -> str | None:
-        """The next line that is not blank."""
-        while (line := self.next()) is not None:
-            if line.strip():
-                return line
-        return None
-
-    def need(self, what: str) -> str:
-        line = self.next()
-        if line is None:
-            raise InputError(f"{self.path}: ends after line {self.number}, before {what}")
+    def line(self, before: str = "") -> bytes:
+        """Returns the next line; at the end nothing, or refuses if `before` is what is missing."""
+        line: bytes = self._stream.readline()
+        self.number += bool(line)
+        if before and not line:
+            raise InputError(f"ends after line {self.number}, before {before}")
         return line
 
-    def refuse(self, why: str, line: int | None = None) -> NoReturn:
-        raise InputError(f"{self.path}: line {line or self.number}: {why}")
+    def filled(self) -> bytes:
+        """Returns the next line that is not blank; nothing at the end."""
+        return next((line for line in self if line.strip()), b"")
 
-    def whole(self, text: str, what: str) -> int:
-        """A number of things; refuses the current line."""
-        word = text.strip()
-        if not (word.isascii() and word.isdigit() and len(word) <= _DIGITS):
-            self.refuse(f"{quote(text)} is no {what}")
+    def take(self, size: int, what: str) -> bytes:
+        """Returns exactly that many bytes, of a file that is no text."""
+        pieces = []
+        while size > 0 and (piece := self._stream.read(min(size, _PIECE))):
+            pieces.append(piece)
+            size, self.position = size - len(piece), self.position + len(piece)
+        if size > 0:
+            raise InputError(f"the file ends within {what}")
+        return b"".join(pieces)
+
+    def ended(self) -> bool:
+        return not self._stream.peek(1)
+
+    def count(self, word: bytes, what: str) -> int:
+        if not is_whole(word.strip()):
+            self.refuse(f"{quote(word)} is no {what}")
         return int(word)
+
+    def refuse(self, why: str, line: int = 0) -> NoReturn:
+        raise InputError(f"line {line or self.number}: {why}")
+
+    def words(
+        self,
+        count: int,
+        names: Sequence[str] = (),
+        least: int = 0,
+        more: int = 0,
+        comment: bytes = b"",
+    ) -> dict[str, Column]:
+        """Returns the columns of the next `count` lines, and as "line" their numbers.
+
+        Every line must have a word for each name, and may have just `more` that are not read.
+        Without names the columns are called "0", "1" and so on: as many as the first line has
+        words, but at least `least`.
+        """
+        before, parts, done = self.number, [np.empty((0, len(names) or least), "S1")], 0
+        while done < count:
+            lines = list(islice(self._stream, min(_CHUNK, count - done)))
+            if not lines:
+                self.line(f"atom {done + 1} of {count}")
+            self.number, done = self.number + len(lines), done + len(lines)
+            if comment:
+                lines = [line.partition(comment)[0] for line in lines]
+            widths = [len(line.split()) if b"\0" not in line else 0 for line in lines]
+            width = len(names) or max(least, widths[0])
+            for k, found in enumerate(widths, done - len(lines)):
+                if found not in (width, width + more):
+                    why = f"atom {k + 1} of {count}: {found} words, expected {width}"
+                    self.refuse(why, before + k + 1)
+            if more:
+                lines = [b" ".join(line.split()[:width]) for line in lines]
+            names = names or [str(k) for k in range(width)]
+            parts.append(as_column(b" ".join(lines).split()).reshape(-1, width))
+        table = np.concatenate(parts[bool(count) :])
+        columns = {name: np.ascontiguousarray(table[:, k]) for k, name in enumerate(names)}
+        return columns | {"line": np.arange(count) + before + 1}
+
+
+def is_whole(word: bytes) -> bool:
+    """Tells whether it is a number of things, which fits into 64 bits."""
+    return word.isdigit() and len(word) <= 18
+
+
+def whole_numbers(words: Column) -> Column:
+    """Returns -1 for each word that is no whole number."""
+    return np.array([int(word) if is_whole(word) else -1 for word in words.tolist()], np.int64)
+
+
+def as_column(words: list[bytes]) -> Column:
+    return np.array(words, object if max(map(len, words), default=0) > _WIDEST else "S")
+
+
+def card(file: File, line: bytes, least: int, width: int) -> bytes:
+    """Returns the line cut or filled to a width; refuses one of fewer than `least` columns."""
+    text = line.rstrip()
+    if len(text) < least or b"\t" in text or b"\0" in text:
+        why = "too short for x, y and z" if len(text) < least else "a tab or zero byte in columns"
+        file.refuse(f"{why}, which end at column {least}: {quote(text)}")
+    return text[:width].ljust(width)
+
+
+def fields(cards: bytearray, width: int, ends: dict[str, tuple[int, int]]) -> dict[str, Column]:
+    """Returns columns of cards of one width: each is from one place up to another."""
+    starts, sizes = [a for a, _ in ends.values()], [f"S{b - a}" for a, b in ends.values()]
+    kind = np.dtype({"names": list(ends), "formats": sizes, "offsets": starts, "itemsize": width})
+    return {name: np.ascontiguousarray(np.frombuffer(cards, kind)[name]) for name in ends}

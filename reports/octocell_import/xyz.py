@@ -1,80 +1,84 @@
 # SPDX-License-Identifier: MIT
-"""XYZ: count, comment, one atom a line (symbol x y z, and r if there is just one number more).
+"""XYZ: count, comment, one atom a line (symbol or atomic number, x, y, z, and what is not read).
 
 Extended XYZ says in its comment what the columns are: Properties=species:S:1:pos:R:3:radius:R:1
+https://github.com/libAtoms/extxyz
 """
-
-from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from pathlib import Path
 
+import gemmi
+import numpy as np
+
+from octocell_import import quote
+from octocell_import.decimals import Column
 from octocell_import.elements import symbol
-from octocell_import.errors import quote
-from octocell_import.frame import Frame
-from octocell_import.text import TextFile
+from octocell_import.frame import Frame, Kind, encode
+from octocell_import.text import File, is_whole
 
-_SIZE = re.compile(r"[0-9]{1,9}")
-_SIZES = {"species": 1, "pos": 3, "radius": 1}  # columns of what is used
-_PLAIN = {"species": 0, "pos": 1}
-
-
-def read_xyz(path: Path) -> Iterator[Frame]:
-    with TextFile(path) as file:
-        line: str | None = file.need("the number of atoms")
-        while line is not None:
-            count = file.whole(line, "number of atoms")
-            if count == 0:
-                file.refuse("no atoms")
-            yield _atoms(file, count, file.need("the comment"))
-            line = file.next_filled()
+_PAIR = re.compile(r"""([\w-]+)\s*=\s*("(?:[^"\\]|\\.)*"|'[^']*'|\{[^}]*\}|\[[^]]*\]|\S+)""")
+_PLAIN = {"label": "0", "x": "1", "y": "2", "z": "3", "fifth": "4"}
+_SAID = {"label": "species 0", "x": "pos 0", "y": "pos 1", "z": "pos 2", "radius": "radius 0"}
+_MOST_COLUMNS = 10_000
 
 
-def _columns(file: TextFile, comment: str) -> tuple[dict[str, int], int] | None:
-    """What extended XYZ says: each property's first column, and the number of columns."""
-    found = re.search(r"\bProperties=\"?([^\s\"]+)", comment)
-    if found is None:
-        return None
-    words = found[1].split(":")
-    if len(words) % 3 or not all(_SIZE.fullmatch(word) for word in words[2::3]):
-        file.refuse(f"Properties is no list of name:type:columns: {quote(found[1])}")
-    first: dict[str, int] = {}
-    total = 0
-    for name, size in zip(words[0::3], words[2::3], strict=True):
-        if int(size) != _SIZES.get(name, int(size)):
-            file.refuse(f"Properties gives {name} {size} columns, not {_SIZES[name]}")
-        first[name] = total
-        total += int(size)
-    if "species" not in first or "pos" not in first:
-        file.refuse(f"Properties lacks species or pos: {quote(found[1])}")
-    return first, total
+def read(file: File) -> Iterator[Frame]:
+    line = file.line("the number of atoms")
+    while line:
+        count = file.count(line, "number of atoms")
+        comment = file.line("the comment").decode("utf-8", "replace")
+        yield _frame(file, count, comment)
+        line = b"" if comment.startswith("gdb ") else file.filled()  # QM9 adds three lines
 
 
-def _atoms(file: TextFile, count: int, comment: str) -> Frame:
-    said = _columns(file, comment)
-    first = file.number + 1
-    rows: list[list[str]] = []
-    for atom in range(count):
-        words = file.need(f"atom {atom + 1} of {count}").split()
-        expected = said[1] if said else len(rows[0]) if rows else max(len(words), 4)
-        if len(words) != expected:
-            file.refuse(f"atom {atom + 1} of {count}: {len(words)} words, expected {expected}")
-        rows.append(words)
-    at = said[0] if said else _PLAIN | ({"radius": 4} if len(rows[0]) == 5 else {})
-    remarks = ["unit       not in the file, taken as Angstrom"]
-    if not said and len(rows[0]) > 5:
-        remarks.append(f"columns    after z are not used: {len(rows[0]) - 4} of them")
-    columns = list(map(list, zip(*rows, strict=True)))
-    x, y, z = columns[at["pos"] : at["pos"] + 3]
-    labels = columns[at["species"]]
-    return Frame(
-        xyz=(x, y, z),
-        unit="angstrom",
-        labels=labels,
-        elements=[symbol(label) for label in labels],
-        radii=columns[at["radius"]] if "radius" in at else None,
-        lines=range(first, first + count),
-        elements_from="the species",
-        remarks=remarks,
-    )
+def _frame(file: File, count: int, comment: str) -> Frame:
+    names, said = _names(file, comment), ["unit       not in the file, taken as Angstrom"]
+    at = _SAID if names else _PLAIN
+    if "species 0" not in names and "z 0" in names:
+        at = _SAID | {"label": "z 0"}
+    words = file.words(count, names, least=4)
+    more = len(words) - len(_PLAIN)  # "line" stands for the fifth
+    if not names and more > 0:
+        hint = " (--radii file takes it as radius)" if more == 1 else ""
+        said.append(f"columns    after z are not used: {more} of them{hint}")
+    if more != 1:
+        at = {name: word for name, word in at.items() if name != "fifth"}
+    columns = {name: words[word] for name, word in at.items() if word in words}
+    columns |= {name: _decimal(c) for name, c in columns.items() if name != "label"}
+    has_types = comment.startswith("Atoms. Timestep")  # LAMMPS writes no elements by default
+    source = "the species" if not has_types else "nothing: LAMMPS wrote types"
+    kinds: list[Kind] = []
+    if "label" in columns:
+        columns["kind"], texts = encode(columns.pop("label"))
+        kinds = [(name, (symbol if has_types else _element)(name)) for [name] in texts]
+    return Frame(columns | {"line": words["line"]}, "angstrom", kinds, source, said)
+
+
+def _names(file: File, comment: str) -> list[str]:
+    """What extended XYZ says: a name for each column, such as "pos 0"."""
+    said = next((value for key, value in _PAIR.findall(comment) if key.lower() == "properties"), "")
+    words = said.strip("\"'").lower().split(":")
+    if words == [""]:
+        return []
+    sizes = [int(word) if is_whole(word.encode()) else _MOST_COLUMNS for word in words[2::3]]
+    if len(words) % 3 or sum(sizes) >= _MOST_COLUMNS:
+        file.refuse(f"Properties is no list of name:type:columns: {quote(said)}")
+    pairs = zip(words[::3], sizes, strict=True)
+    names = [f"{name} {k}" for name, size in pairs for k in range(size)]
+    if "pos 2" not in names or {"pos 3", "radius 1", "species 1"} & set(names):
+        file.refuse(f"Properties wants pos:R:3, and one column for others: {quote(said)}")
+    return names
+
+
+def _decimal(words: Column) -> Column:
+    """Exponents as Fortran and Mathematica write them become e."""
+    if words.dtype.kind == "S" and np.isin(words.view(np.uint8), list(b"Dd^")).any():
+        for old in (b"*^", b"D", b"d"):
+            words = np.char.replace(words, old, b"e")
+    return words
+
+
+def _element(word: str) -> str | None:
+    is_number = is_whole(word.encode()) and 0 < int(word) < 119
+    return gemmi.Element(int(word)).name if is_number else symbol(word)

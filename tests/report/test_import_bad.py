@@ -14,7 +14,8 @@ from test_import_formats import DATA, DUMP, GRO, PDB, PLY, PQR, trr_frame
 ATOMIC = DATA.format(style="# atomic", bonds="", first="1 1 2 3", second="2 4 5 6")
 STYLELESS = DATA.format(style="", bonds="", first="1 1 0 1 2 3", second="1 1 0 1 2 3")
 PLAIN_DUMP = DUMP.format(columns="id element x y z", first="C 1 2 3", second="O 4 5 6")
-TILTED = PLAIN_DUMP.replace("pp pp pp", "xy xz yz pp pp pp").replace("x y z\n", "xs ys zs\n")
+SCALED = PLAIN_DUMP.replace("x y z\n", "xs ys zs\n")
+UNBOXED = SCALED[: SCALED.index("ITEM: BOX")] + SCALED[SCALED.index("ITEM: ATOMS") :]
 PLAIN_PLY = PLY.format(form="ascii", kind="float", name="radius") + "1 2 3 1\n4 5 6 1\n2 0 1\n"
 LINES = GRO.splitlines(keepends=True)
 
@@ -34,10 +35,9 @@ CASES = {
     "gro, too many counted": (
         "a.gro",
         GRO.replace("2\n", "3\n", 1),
-        "line 5: atom 3 of 3: too short",
+        "line 5: too short for x, y and z",
     ),
     "gro, no count": ("a.gro", GRO.replace("2\n", "x\n", 1), "line 2: 'x' is no number of atoms"),
-    "gro, none": ("a.gro", "t\n0\n1 1 1\n", "line 2: no atoms"),
     "gro, bad second frame": ("a.gro", GRO + "t\nx\n", "line 7: 'x' is no number of atoms"),
     "gro, empty": ("a.gro", "", "before the title"),
     "gro, too large": ("a.gro", GRO.replace("-1.679", "-9.e38"), "too large for float32"),
@@ -47,10 +47,14 @@ CASES = {
     "pdb, no number": ("a.pdb", PDB.replace("11.104", "11.1x4"), "line 3: x: '11.1x4' is not a"),
     "pdb, cut line": ("a.pdb", PDB[:130], "line 4: too short for x, y and z"),
     "pdb, none": ("a.pdb", "HEADER\nEND\n", "no ATOM and no HETATM record"),
-    "pdb, unknown": ("a.pdb", PDB.replace("ZN2+", " X  "), "line 6: 'FE' is of no known element"),
-    "pqr, two less": ("a.pqr", PQR.replace(" O   HOH", ""), "line 3: 8 fields, expected 10 or"),
-    "pqr, radius": ("a.pqr", PQR.replace("1.8500", "-1.85"), "line 2: radius -1.85 is negative"),
-    "pqr, charge": ("a.pqr", PQR.replace("-0.3000", "A"), "line 2: charge 'A' is not a number"),
+    "pdb, unknown": (
+        "a.pdb",
+        PDB.replace("ZN2+", " X  "),
+        "line 6: the table has no radius for",
+    ),
+    "pqr, two less": ("a.pqr", PQR.replace(" O   HOH", ""), ":3: 8 fields, expected 10 or"),
+    "pqr, radius": ("a.pqr", PQR.replace("1.8500", "-1.85"), ":2: r is -1.85"),
+    "pqr, charge": ("a.pqr", PQR.replace("-0.3000", "A"), ":2: 'A' is not a number"),
     "xyz, cut": ("a.xyz", "2\nc\nC 1 2 3\n", "ends after line 3, before atom 2 of 2"),
     "xyz, too few counted": (
         "a.xyz",
@@ -63,15 +67,23 @@ CASES = {
         "line 4: atom 2 of 2: 4 words, expected 5",
     ),
     "xyz, short": ("a.xyz", "1\nc\nC 1 2\n", "line 3: atom 1 of 1: 3 words, expected 4"),
-    "xyz, radius": ("a.xyz", "1\nc\nC 1 2 3 r\n", "line 3: radius 'r' is not a number"),
+    "xyz, radius": (
+        "a.xyz",
+        "1\nProperties=species:S:1:pos:R:3:radius:R:1\nC 1 2 3 r\n",
+        "line 3: radius: 'r' is not a number",
+    ),
     "xyz, unknown": ("a.xyz", "1\nc\nQq 1 2 3\n", "give its radius, --radius Qq=1.5"),
     "xyz, no radius known": ("a.xyz", "1\nc\nW 1 2 3\n", "no radius for element W: give its"),
     "xyz, Properties": (
         "a.xyz",
-        "1\nProperties=pos:R:3\n1 2 3\n",
-        "line 2: Properties lacks species",
+        "1\nProperties=pos:R:2\n1 2\n",
+        "line 2: Properties wants pos:R:3",
     ),
-    "data, cut": ("a.data", ATOMIC[: ATOMIC.index("1 1 1 2 3")], "section Atoms ends after 1 of 2"),
+    "data, cut": (
+        "a.data",
+        ATOMIC[: ATOMIC.index("1 1 1 2 3")],
+        "after line 16, before atom 2",
+    ),
     "data, more": (
         "a.data",
         ATOMIC.replace("2 atoms", "1 atoms"),
@@ -116,10 +128,11 @@ CASES = {
         PLAIN_DUMP.replace("C 1 2 3", "C 1 2 b"),
         "line 11: z: 'b' is not a number",
     ),
-    "dump, scaled, tilted": ("a.dump", TILTED, "line 9: scaled coordinates in a tilted box"),
+    "dump, scaled, no box": ("a.dump", UNBOXED, "line 5: scaled coordinates without ITEM: BOX"),
+    "dump, scaled, bad box": ("a.dump", SCALED.replace("0 10", "0 ten"), "line 9: box bounds are"),
     "dump, lj": ("a.dump", "ITEM: UNITS\nlj\n" + PLAIN_DUMP, "its unit of length is not known"),
-    "ply, cut": ("a.ply", PLAIN_PLY[:-15], "no sound PLY: "),
-    "ply, word": ("a.ply", PLAIN_PLY.replace("4 5", "4 q"), "row 1: property 'y'"),
+    "ply, cut": ("a.ply", PLAIN_PLY[:-15], "ends after line 11, before atom 2 of 2"),
+    "ply, word": ("a.ply", PLAIN_PLY.replace("4 5", "4 q"), "line 12: y: 'q' is not a number"),
     "ply, no ply": ("a.ply", "hello", "no sound PLY: "),
     "ply, no z": (
         "a.ply",
@@ -135,7 +148,7 @@ CASES = {
     "ply, radius": (
         "a.ply",
         PLAIN_PLY.replace("3 1\n", "3 -1\n"),
-        "atom 1: radius -1.0 is negative",
+        "line 11: radius -1 is negative",
     ),
     "trr, no names": ("a.trr", trr_frame([(1, 2, 3)]), "give --radius R, or --topology FILE"),
     "trr, cut": ("a.trr", trr_frame([(1, 2, 3)])[:-1], "the file ends within the coordinates"),

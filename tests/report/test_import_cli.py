@@ -38,7 +38,8 @@ def test_one_radius_for_all_may_have_exceptions(tmp_path, capsys):
 
 def test_exceptions_hold_for_radii_of_the_file_too(tmp_path):
     text = "2\nc\nC 0 0 0 1\nD 0 0 0 2\n"
-    assert list(scene(tmp_path, "a.xyz", text, "--radius", "D=7")[:, 3]) == [1, 7]
+    options = ["--radius", "D=7", "--radii", "file"]
+    assert list(scene(tmp_path, "a.xyz", text, *options)[:, 3]) == [1, 7]
 
 
 @pytest.mark.parametrize(

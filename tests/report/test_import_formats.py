@@ -157,7 +157,6 @@ def test_pqr_has_its_own_radii(tmp_path, capsys):
     rows = [[26.981, 53.977, 40.085, 1.85], [-26.981, 53.977, 40.085, 0.2245]]
     same(scene(tmp_path, "a.pqr", PQR), rows)
     assert "from the file, 0.2245 to 1.85" in capsys.readouterr().out
-    same(scene(tmp_path, "a.pqr", PQR, "--radii", "element")[:, 3], [1.55, 1.52])
 
 
 def test_xyz_by_element(tmp_path, capsys):
@@ -168,8 +167,11 @@ def test_xyz_by_element(tmp_path, capsys):
     assert "taken as Angstrom" in capsys.readouterr().out
 
 
-def test_xyz_with_one_number_more_has_radii(tmp_path):
-    same(scene(tmp_path, "a.xyz", "2\nc\nA 1 2 3 0.3\nB 4 5 6 0\n"), [[1, 2, 3, 0.3], [4, 5, 6, 0]])
+def test_xyz_with_one_number_more_may_have_radii(tmp_path, capsys):
+    text = "2\nc\nC 1 2 3 0.3\nH 4 5 6 0\n"
+    same(scene(tmp_path, "a.xyz", text), [[1, 2, 3, 1.7], [4, 5, 6, 1.1]])
+    assert "after z are not used: 1 of them (--radii file takes" in capsys.readouterr().out
+    same(scene(tmp_path, "a.xyz", text, "--radii", "file"), [[1, 2, 3, 0.3], [4, 5, 6, 0]])
 
 
 def test_xyz_with_more_numbers_says_that_it_leaves_them(tmp_path, capsys):
