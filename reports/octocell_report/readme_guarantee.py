@@ -9,7 +9,7 @@ from pandas import DataFrame
 
 from octocell_report.language import listed, tell
 from octocell_report.markdown import bold, code, table
-from octocell_report.verification import ENDINGS, LOSSES, SIDES, Verification
+from octocell_report.verification import ENDINGS, LOSSES, SIDES, STATUSES, Verification
 from octocell_report.words import NONE, family, family_title, grouped
 
 OWNERS = ("Octocell", "FCL", "Bullet")  # columns
@@ -17,21 +17,24 @@ OWNERS = ("Octocell", "FCL", "Bullet")  # columns
 
 def guarantee(found: Verification) -> str:
     """The one table: ours beside the libraries, where the same was asked of them."""
-    ties, stress, tools = found["near_tangent"], found["stress"], found["sanitizers"]
-    bad = stress["asks"] == "refusal"
+    ties, stress = found["near_tangent"], found["stress"]
     entries, families = stress["entry"], stress["entry"].str.rstrip("0123456789")  # 'C' of 'C18'
     catalogue = f"stress catalogue ({families.nunique()} families, {entries.nunique()} entries)"
+    stress_lines = {
+        f"{catalogue}: answers": _answers,
+        "– wrong answers": lambda rows: _bad(rows["wrong"].sum()),
+        "– pairs missed, false, repeated": _losses,
+        "– crashed or too late": lambda rows: _bad(rows["crashed"].sum() + rows["late"].sum()),
+    }
+    asked, bad = (stress[(stress["asks"] == "refusal") == refusal] for refusal in (False, True))
     lines = [
         *(line for side in SIDES for line in _near_tangent(ties[ties["where"] == side], side)),
-        [f"{catalogue}: answers", *_by_owner(stress[~bad], _answers)],
-        ["– wrong answers", *_by_owner(stress[~bad], lambda rows: _bad(rows["wrong"].sum()))],
-        ["– pairs missed, false, repeated", *_by_owner(stress[~bad], _losses)],
-        ["– crashed or too late", *_by_owner(stress[~bad], _unanswered)],
-        ["bad inputs tried, refused by name", *_by_owner(stress[bad], _rejected)],
+        *([title, *_by_owner(asked, show)] for title, show in stress_lines.items()),
+        ["bad inputs tried, refused by name", *_by_owner(bad, _refused)],
         ["inputs made by fuzzers", _told(found["fuzz"], _fuzzed)],
         ["faults planted in the sources, found", _told(_best(found["mutants"]), _killed)],
         ["compilers and flags with one checksum", _told(found["compilers"], _configurations)],
-        ["reports of sanitizers", _told(tools, _reports)],
+        ["reports of sanitizers", _told(found["sanitizers"], _reports)],
     ]
     note = (
         "A near-tangent pair has |D − R| ≤ 64 u R: its squared distance is so close to the square "
@@ -55,22 +58,17 @@ def _bad(count: int) -> str:
 
 def _near_tangent(ties: DataFrame, side: str) -> list[list[str]]:
     tried = _told(ties, lambda t: f"{grouped(t['pairs'].sum())} in {t['name'].nunique()} families")
-    return [
-        [f"near-tangent pairs decided, {side}", tried],
-        ["– of these wrong", _told(ties[ties["pairs"] > 0], _mismatches)],
-    ]
+    wrong = _told(ties[ties["pairs"] > 0], _mismatches)
+    return [[f"near-tangent pairs decided, {side}", tried], ["– of these wrong", wrong]]
 
 
 def _mismatches(ties: DataFrame) -> str:
-    wrong = ties["mismatches"].sum()
-    return _bad(wrong) if wrong else f"0 (rate below {bound(ties['pairs'].sum())})"
-
-
-def bound(trials: int) -> str:
-    """3/N, which a rate stays below with 95 % where none of N failed: '2.5 · 10⁻⁹'."""
-    mantissa, exponent = f"{3 / trials:.1e}".split("e")
+    """With 3/N, which the rate stays below with 95 % where none of N failed: '2.5 · 10⁻⁹'."""
+    if wrong := ties["mismatches"].sum():
+        return _bad(wrong)
+    mantissa, exponent = f"{3 / ties['pairs'].sum():.1e}".split("e")
     superscripts = str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
-    return f"{mantissa} · 10{superscripts}"
+    return f"0 (rate below {mantissa} · 10{superscripts})"
 
 
 def _owners(rows: DataFrame) -> dict[str, DataFrame]:
@@ -99,11 +97,7 @@ def _losses(rows: DataFrame) -> str:
     return bold(text) if counts.any() else text
 
 
-def _unanswered(rows: DataFrame) -> str:
-    return _bad(rows["crashed"].sum() + rows["late"].sum())
-
-
-def _rejected(rows: DataFrame) -> str:
+def _refused(rows: DataFrame) -> str:
     """An answer to a bad input is exact if it is the error that names the sphere."""
     tried = _answered(rows)
     return f"{rows['exact'].sum()} of {tried}" if tried else NONE
@@ -117,17 +111,15 @@ def _best(faults: DataFrame) -> DataFrame:
     """A fault not run on one machine may have run on another; a survival counts first."""
     order = {"survived": 0, "killed": 1, "not_run": 2}
     ranked = faults.sort_values("status", key=lambda status: status.map(order), kind="stable")
-    best = ranked.drop_duplicates("name").set_index("name")
-    return best.loc[faults["name"].unique()].reset_index()
+    return (
+        ranked.drop_duplicates("name").set_index("name").loc[faults["name"].unique()].reset_index()
+    )
 
 
 def _killed(faults: DataFrame) -> str:
-    killed, survived, rest = (
-        (faults["status"] == status).sum() for status in ("killed", "survived", "not_run")
-    )
+    killed, survived, rest = ((faults["status"] == status).sum() for status in STATUSES)
     text = f"{killed} of {killed + survived}"
-    text = bold(text) if survived else text
-    return f"{text} ({rest} not run)" if rest else text
+    return (bold(text) if survived else text) + (f" ({rest} not run)" if rest else "")
 
 
 def _configurations(files: DataFrame) -> str:
@@ -203,16 +195,13 @@ def mutants(found: Verification) -> str:
 
 
 def fuzz(found: Verification) -> str:
-    targets = found["fuzz"]
-    lines = targets[["name", "machine", "runs", "seconds", "crashes"]]
-    return _detailed(targets, lines, "target|machine|inputs|seconds|failures")
+    lines = found["fuzz"][["name", "machine", "runs", "seconds", "crashes"]]
+    return _detailed(found["fuzz"], lines, "target|machine|inputs|seconds|failures")
 
 
 def sanitizers(found: Verification) -> str:
-    tools = found["sanitizers"]
-    return _detailed(
-        tools, tools[["name", "machine", "tests", "reports"]], "tool|machine|tests|reports"
-    )
+    lines = found["sanitizers"][["name", "machine", "tests", "reports"]]
+    return _detailed(found["sanitizers"], lines, "tool|machine|tests|reports")
 
 
 def front(found: Verification, language: str = "en") -> str:

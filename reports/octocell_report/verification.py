@@ -20,6 +20,7 @@ from octocell_report.files import read_json
 ENDINGS = ("exact", "skipped", "refused", "late", "crashed", "wrong")  # of a stress case
 LOSSES = ("missed", "false", "duplicates")
 SIDES = ("CPU", "GPU")
+STATUSES = ("killed", "survived", "not_run")  # of a planted fault
 # What the frame of each kind holds, beside "machine" and "source" (the file, as documents name it).
 COLUMNS = {
     "near_tangent": ("where", "name", "pairs", "mismatches"),
@@ -96,7 +97,7 @@ class Fault(Struct):
 
     name: Name
     what: Text
-    status: Annotated[str, choice("killed", "survived", "not_run")]
+    status: Annotated[str, choice(*STATUSES)]
     killed_by: Name | None
     reason: Text | None = None
 
