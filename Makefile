@@ -24,7 +24,7 @@ CUDA_IF_GPU = $(if $(wildcard /dev/nvidiactl)$(filter ON,$(OCTOCELL_CUDA)),$(OCT
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build build-tests test compilers fuzz mutants stress stress-full bench bench-full bench-sort ablation error report readme steps pictures sanitize cuda-toolkit bundle clean
+.PHONY: help setup configure build user-build build-tests test compilers fuzz mutants stress stress-full bench bench-full bench-sort ablation error report readme steps pictures sanitize cuda-toolkit bundle clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -37,6 +37,11 @@ configure: setup
 
 build: configure ## Build build/octocell, no more
 	@cmake --build $(BUILD) --target octocell
+
+user-build: ## Build only the library and the command line: no FCL, Bullet, GMP, GoogleTest, Google Benchmark, Python
+	@OCTOCELL_DEVELOPER=OFF scripts/setup.sh
+	@cmake --preset $(PRESET) -B $(BUILD)-users -DOCTOCELL_DEVELOPER=OFF -DOCTOCELL_CUDA=$(OCTOCELL_CUDA) >/dev/null
+	@cmake --build $(BUILD)-users --target octocell
 
 build-tests: configure ## Build the tests, too
 	@cmake --build $(BUILD)

@@ -4,10 +4,16 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+# OCTOCELL_DEVELOPER=OFF: only what the library and the command line need.
+developer=${OCTOCELL_DEVELOPER:-ON}
+
 packages=(
   g++ cmake ninja-build ccache pkg-config git
-  libbenchmark-dev libgtest-dev libfmt-dev nlohmann-json3-dev libcli11-dev  # the harness
+  libfmt-dev nlohmann-json3-dev libcli11-dev
   libboost-dev    # Asio's thread pool (headers)
+)
+[ "$developer" = OFF ] || packages+=(
+  libbenchmark-dev libgtest-dev
   libgmp-dev      # the exact reference
   libfcl-dev libbullet-dev  # the baselines
   libtbb-dev libhwy-dev     # sorts to compare with
@@ -91,8 +97,9 @@ import_frames() {  # TRAJECTORY, FOLDER, options of octocell-import ...
 }
 
 install_packages
-install_rapidcheck
 has_nvcc || ! wants_nvcc || scripts/cuda_toolkit.sh
+[ "$developer" = OFF ] && exit 0
+install_rapidcheck
 make_python_environment
 .venv/bin/python scripts/fetch_data.py
 import_scene data/adk_oplsaa.gro --radius MW=0  # the water's fourth site: charge without size
