@@ -5,19 +5,21 @@ key, and by the order that the pairs come in."""
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
+from typing import Any
 
 import matplotlib.pyplot as plt
+import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
 
 from octocell_report import frames, style, words
 from octocell_report.context import gpu_of
 from octocell_report.files import staged_folder
+from octocell_report.plots import facets
 from octocell_report.sort import ORDERS, TITLES, Sort, SortResult, SortRow, frame
+from octocell_report.style import Look
 
 TABLE = "sort.csv"
 NAMES = (
@@ -25,13 +27,8 @@ NAMES = (
     *("sort_gpu_by_size.png", "sort_gpu_by_bits.png", "sort_gpu_by_order.png"),
     TABLE,
 )
-
-_COLOURS = (
-    *(style.BLUE, style.VERMILLION, style.ORANGE, style.PURPLE, style.GREEN, style.BLACK),
-    *(style.SKY, style.GREY),
-)
-_MARKERS = ("o", "s", "D", "^", "v", "P", "X", "h")
-_COLUMNS = 4  # of facets
+_COLUMNS, _LINES = 4, 15  # of facets; of text that one is high
+_RATE = "10⁹ pairs a second"
 
 
 def build(result: SortResult, folder: Path, inputs: Sequence[Path] = ()) -> list[str]:
@@ -57,191 +54,132 @@ def build(result: SortResult, folder: Path, inputs: Sequence[Path] = ()) -> list
     return [*names, TABLE]
 
 
-@dataclass(frozen=True)
-class _Look:
-    label: str
-    colour: str
-    marker: str
-    line: str
-
-
-def _looks(result: SortResult) -> dict[Sort, _Look]:
-    """One colour and marker per algorithm; several threads are dashed and hollow."""
-    algorithms = list(dict.fromkeys(sort.algorithm for sort in result.sorts))
-    found = {}
-    for sort in result.sorts:
-        place = algorithms.index(sort.algorithm) % len(_COLOURS)
-        label = TITLES.get(sort.algorithm, sort.algorithm)
-        if sort.threads > 1:
-            label += f", {sort.threads} threads"
-        line = "--" if sort.threads > 1 else "-"
-        found[sort] = _Look(label, _COLOURS[place], _MARKERS[place], line)
-    return found
-
-
-def _face(sort: Sort, look: _Look) -> str:
-    return "white" if sort.threads > 1 else look.colour
-
-
 def draw_by_size(result: SortResult) -> Figure | None:
     """One facet per key width that was timed at most sizes, random order; None if nothing was."""
-    sizes_of: dict[int, set[int]] = {}
-    for row in result.timed(order="random"):
-        sizes_of.setdefault(row.bits, set()).add(row.n)
-    most = max(map(len, sizes_of.values()), default=0)
-    shown = sorted(bits for bits, met in sizes_of.items() if len(met) == most or len(met) > 1)
+    rows = _timed(result, order="random")
+    sizes = rows.groupby("bits")["n"].nunique()
+    shown = list(sizes.index[(sizes == sizes.max()) | (sizes > 1)])
     if not shown:
         return None
-    figure, axes = _facets(len(shown))
-    for ax, bits in zip(axes, shown, strict=False):
-        rows = result.timed(order="random", bits=bits)
-        for sort, look in _looks(result).items():
-            _line(ax, sort, look, [row for row in rows if row.sort == sort])
-        sizes = sorted({row.n for row in result.rows if row.order == "random"})
-        _size_axis(ax, sizes)
-        _rate_axis(ax)
-        ax.set_title(f"{bits}-bit keys")
-        _say_wrong(ax, [r for r in result.wrong if r.bits == bits and r.order == "random"])
-    axes[0].set_ylabel("10⁹ pairs a second")
-    _finish(
-        figure,
-        axes,
-        result,
-        "Sorting pairs (32-bit key, 32-bit value), random order; higher is better\n"
-        "lines: median of the rounds; bands: slowest to fastest round",
-    )
+    title = "Sorting pairs (32-bit key, 32-bit value), random order; higher is better"
+    figure, axes = _grid(result, title, [f"{bits}-bit keys" for bits in shown])
+    for ax, bits in zip(axes, shown, strict=True):
+        _lines(ax, result, rows[rows["bits"] == bits], "n")
+        sizes_met = sorted(set(rows["n"]))
+        facets.logarithmic(ax, "x", "pairs", sizes_met, lambda n: _power(round(n)))
+        facets.logarithmic(ax, "y", _RATE)
+        _say_wrong(ax, [row for row in result.wrong if (row.bits, row.order) == (bits, "random")])
     return figure
 
 
 def draw_by_bits(result: SortResult) -> Figure | None:
     """The largest size that was timed at most widths, random order; None if there is but one."""
-    widths_of: dict[int, set[int]] = {}
-    for row in result.timed(order="random"):
-        widths_of.setdefault(row.n, set()).add(row.bits)
-    most = max(map(len, widths_of.values()), default=0)
-    if most < 2:
+    rows = _timed(result, order="random")
+    widths = rows.groupby("n")["bits"].nunique()
+    if widths.empty or widths.max() < 2:
         return None
-    size = max(n for n, met in widths_of.items() if len(met) == most)
-    figure, axes = _facets(1)
-    ax = axes[0]
-    rows = sorted(result.timed(order="random", n=size), key=lambda row: row.bits)
-    for sort, look in _looks(result).items():
-        _line(ax, sort, look, [row for row in rows if row.sort == sort], lambda row: row.bits)
-    ax.xaxis.set_major_locator(FixedLocator(sorted(widths_of[size])))
-    ax.set_xlabel("bits of the key")
-    _rate_axis(ax)
-    _say_wrong(ax, [r for r in result.wrong if r.n == size and r.order == "random"])
-    ax.set_ylabel("10⁹ pairs a second")
-    _finish(
-        figure,
-        axes,
-        result,
+    size = int(widths.index[widths == widths.max()].max())
+    title = (
         f"Sorting {_power(size)} pairs (32-bit key, 32-bit value) by the width of the key, random "
-        "order; higher is better\nlines: median of the rounds; bands: slowest to fastest round",
+        "order; higher is better"
     )
+    figure, (ax,) = _grid(result, title, [""])
+    here = rows[rows["n"] == size].sort_values("bits")
+    _lines(ax, result, here, "bits")
+    ax.set_xticks(sorted(set(here["bits"])))
+    ax.set_xlabel("bits of the key")
+    facets.logarithmic(ax, "y", _RATE)
+    _say_wrong(ax, [row for row in result.wrong if (row.n, row.order) == (size, "random")])
     return figure
 
 
 def draw_by_order(result: SortResult) -> Figure | None:
     """The largest size that was timed in several orders, one facet per key width."""
-    orders: dict[tuple[int, int], set[str]] = {}
-    for row in result.timed():
-        orders.setdefault((row.n, row.bits), set()).add(row.order)
-    several = {place for place, met in orders.items() if len(met) > 1}
-    if not several:
+    rows = _timed(result)
+    orders = rows.groupby(["n", "bits"])["order"].nunique().reset_index()
+    several = orders[orders["order"] > 1]
+    if several.empty:
         return None
-    largest = max(n for n, _ in several)
-    shown = sorted(bits for n, bits in several if n == largest)
-    figure, axes = _facets(len(shown))
-    for ax, bits in zip(axes, shown, strict=False):
-        rows = result.timed(n=largest, bits=bits)
-        met = list(dict.fromkeys([o for o in ORDERS if o in orders[largest, bits]]))
-        _order_marks(ax, result, rows, met)
-        _rate_axis(ax)
-        ax.set_title(f"{bits}-bit keys")
-        _say_wrong(ax, [r for r in result.wrong if r.bits == bits and r.n == largest])
-    axes[0].set_ylabel("10⁹ pairs a second")
-    _finish(
-        figure,
-        axes,
-        result,
-        f"Sorting {_power(largest)} pairs (32-bit key, 32-bit value) by the order they come in; "
-        "higher is better\nmarks: median of the rounds; bars: slowest to fastest round",
+    size = int(several["n"].max())
+    shown = list(several["bits"][several["n"] == size])
+    title = (
+        f"Sorting {_power(size)} pairs (32-bit key, 32-bit value) by the order that they come in; "
+        "further right is better"
     )
+    rows = rows[(rows["n"] == size) & rows["bits"].isin(shown)]
+    met = [order for order in ORDERS if order in set(rows["order"])]
+    figure, axes = _grid(result, title, [f"{bits}-bit keys" for bits in shown], len(met))
+    for ax, bits in zip(axes, shown, strict=True):
+        _orders(ax, result, rows[rows["bits"] == bits], met)
+        _say_wrong(ax, [row for row in result.wrong if (row.bits, row.n) == (bits, size)])
     return figure
 
 
-def _facets(count: int) -> tuple[Figure, list[Axes]]:
-    """At most four in a row; the legend goes below."""
-    columns = min(count, _COLUMNS)
-    rows = -(-count // columns)
-    figure, grid = plt.subplots(
-        rows,
-        columns,
-        figsize=(max(12.5, 4.1 * columns), 3.7 * rows + 1.9),
-        squeeze=False,
+def _timed(result: SortResult, **fixed: Any) -> pd.DataFrame:
+    """Rows with a time, ascending by size."""
+    columns = ["label", "n", "bits", "order", "rates"]
+    rows = result.timed(**fixed)
+    lines = [(_label(row.sort), row.n, row.bits, row.order, row.rates) for row in rows]
+    return pd.DataFrame(lines, columns=columns)
+
+
+def _label(sort: Sort) -> str:
+    title = TITLES.get(sort.algorithm, sort.algorithm)
+    return f"{title}, {sort.threads} threads" if sort.threads > 1 else title
+
+
+def _looks(result: SortResult) -> dict[str, Look]:
+    """One colour and marker per algorithm; several threads are dashed and hollow."""
+    algorithms = list(dict.fromkeys(sort.algorithm for sort in result.sorts))
+    found = {}
+    for sort in result.sorts:
+        place, several = algorithms.index(sort.algorithm) % len(style.COLOURS), sort.threads > 1
+        colour, marker = style.COLOURS[place], style.MARKERS[place]
+        label = _label(sort)
+        found[label] = Look(label, colour, marker, "--" if several else "-", several)
+    met = set(_timed(result)["label"])
+    return {label: look for label, look in found.items() if label in met}
+
+
+def _grid(
+    result: SortResult, title: str, names: list[str], rows: int = 1
+) -> tuple[Figure, list[Axes]]:
+    """Below the key stands what must be known when the figure travels alone."""
+    figure, axes = facets.grid(
+        f"{title}\nmarks: median of the rounds; bands and bars: slowest to fastest round",
+        names,
+        [rows] * len(names),
+        _LINES / rows,
+        columns=_COLUMNS,
+        key=[look.entry for look in _looks(result).values()],
+        sharex=True,
         sharey=True,
-        layout="constrained",
     )
-    axes = list(grid.flat)
-    for unused in axes[count:]:
-        unused.set_visible(False)
-    for row in grid[1:]:
-        row[0].set_ylabel("10⁹ pairs a second")
-    return figure, axes[:count]
+    (legend,) = figure.legends
+    legend.set_title(_footnote(result))
+    legend.set_alignment("left")
+    legend.get_title().set(fontsize=style.SMALL, color=style.FAINT)
+    return figure, axes
 
 
-def _line(
-    ax: Axes,
-    sort: Sort,
-    look: _Look,
-    rows: list[SortRow],
-    place: Callable[[SortRow], int] = lambda row: row.n,
-) -> None:
-    if not rows:
-        return
-    places = [place(row) for row in rows]
-    ax.fill_between(
-        places,
-        [min(row.rates) for row in rows],
-        [max(row.rates) for row in rows],
-        color=look.colour,
-        alpha=0.15,
-        linewidth=0,
-    )
-    ax.plot(
-        places,
-        [median(row.rates) for row in rows],
-        color=look.colour,
-        linestyle=look.line,
-        marker=look.marker,
-        markerfacecolor=_face(sort, look),
-        markersize=6,
-        linewidth=1.8,
-    )
+def _lines(ax: Axes, result: SortResult, rows: pd.DataFrame, across: str) -> None:
+    for label, look in _looks(result).items():
+        here = rows[rows["label"] == label]
+        if not here.empty:
+            facets.band(ax, here[across], here["rates"], look)
 
 
-def _order_marks(ax: Axes, result: SortResult, rows: list[SortRow], orders: list[str]) -> None:
-    looks = _looks(result)
-    step = 0.8 / len(looks)
-    for index, (sort, look) in enumerate(looks.items()):
-        for row in (r for r in rows if r.sort == sort and r.order in orders):
-            x = orders.index(row.order) - 0.4 + step * (index + 0.5)
-            ax.plot([x, x], [min(row.rates), max(row.rates)], color=look.colour, linewidth=2)
-            ax.plot(
-                [x],
-                [median(row.rates)],
-                color=look.colour,
-                marker=look.marker,
-                markerfacecolor=_face(sort, look),
-                markersize=7,
-            )
+def _orders(ax: Axes, result: SortResult, rows: pd.DataFrame, orders: list[str]) -> None:
+    facets.rows(ax, [order.replace("_", "\n") for order in orders])
     for between in range(1, len(orders)):
-        ax.axvline(between - 0.5, color=style.GRID, linewidth=1)
-    ax.set_xlim(-0.5, len(orders) - 0.5)
-    ax.set_xticks(range(len(orders)), [order.replace("_", "\n") for order in orders])
-    ax.tick_params(axis="x", length=0)
-    ax.grid(axis="x", visible=False)
+        ax.axhline(between - 0.5, color=style.GRID, linewidth=1)
+    looks = _looks(result)
+    labels = list(looks)
+    for row in rows.itertuples():
+        y = orders.index(row.order) - 0.4 + 0.8 * (labels.index(row.label) + 0.5) / len(labels)
+        rates = row.rates
+        facets.interval(ax, y, min(rates), median(rates), max(rates), looks[row.label])
+    facets.logarithmic(ax, "x", _RATE)
 
 
 def _power(n: int) -> str:
@@ -252,52 +190,12 @@ def _power(n: int) -> str:
     return f"2{str(exponent).translate(str.maketrans('0123456789', '⁰¹²³⁴⁵⁶⁷⁸⁹'))}"
 
 
-def _size_axis(ax: Axes, sizes: list[int]) -> None:
-    ax.set_xscale("log")
-    ax.set_xlim(sizes[0] / 1.5, sizes[-1] * 1.5)
-    ax.xaxis.set_major_locator(FixedLocator(sizes))
-    ax.xaxis.set_minor_locator(NullLocator())
-    ax.xaxis.set_major_formatter(FuncFormatter(lambda x, _: _power(round(x))))
-    ax.set_xlabel("pairs")
-
-
-def _rate_axis(ax: Axes) -> None:
-    ax.set_yscale("log")
-    ax.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-    ax.yaxis.set_major_formatter(FuncFormatter(words.tick))
-    ax.yaxis.set_minor_formatter(NullFormatter())
-    ax.yaxis.set_minor_locator(NullLocator())
-    ax.tick_params(axis="y", labelleft=True)
-
-
 def _say_wrong(ax: Axes, rows: list[SortRow]) -> None:
-    """A wrong answer has no place on the axes; its name stands in red above them."""
+    """A wrong answer has no place on the axes; its name stands in red on them."""
     if rows:
-        sorts = dict.fromkeys(TITLES.get(r.sort.algorithm, r.sort.algorithm) for r in rows)
+        sorts = dict.fromkeys(TITLES.get(row.algorithm, row.algorithm) for row in rows)
         text = "WRONG: " + ", ".join(sorts)
         ax.text(0.5, 0.02, text, transform=ax.transAxes, ha="center", color=style.VERMILLION)
-
-
-def _finish(figure: Figure, axes: list[Axes], result: SortResult, title: str) -> None:
-    """Title, key, and what must be known when the figure travels alone."""
-    figure.suptitle(title, x=0.01, ha="left", fontsize=12.5)
-    handles = []
-    for sort, look in _looks(result).items():
-        if not any(row.sort == sort for row in result.timed()):
-            continue
-        handles += axes[0].plot(
-            [],
-            [],
-            color=look.colour,
-            linestyle=look.line,
-            marker=look.marker,
-            markerfacecolor=_face(sort, look),
-            label=look.label,
-        )
-    figure.legend(handles=handles, loc="outside lower left", ncols=4, title=_footnote(result))
-    figure.legends[0].get_title().set_fontsize(10)
-    figure.legends[0].get_title().set_color(style.FAINT)
-    figure.legends[0].set_alignment("left")
 
 
 def _footnote(result: SortResult) -> str:
@@ -307,8 +205,7 @@ def _footnote(result: SortResult) -> str:
     skips: dict[str, dict[str, None]] = {}
     for row in result.rows:
         if row.status == "skipped":
-            title = TITLES.get(row.sort.algorithm, row.sort.algorithm)
-            skips.setdefault(row.reason or "", {})[title] = None
+            skips.setdefault(row.reason or "", {})[TITLES.get(row.algorithm, row.algorithm)] = None
     where, how = _conditions(result)
     lines = [
         f"{where}; commit {commit}; {context['date'][:10]}{unfinished}",

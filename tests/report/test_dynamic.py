@@ -99,9 +99,9 @@ def test_the_plot_marks_warm_up_frames_apart():
     assert "dynamic" in drawn and not any(name.startswith("time_") for name in drawn)
     for name, figure in plots.draw_all(result_of(*three())):
         if name == "dynamic":
-            ours = figure.axes[0].get_lines()[-3:]  # the fastest of ours was drawn last but one
-            assert [len(line.get_xdata()) for line in ours] == [3, 3, 2]
-            assert ours[2].get_markerfacecolor() == "white"
+            early, steady = figure.axes[0].get_lines()[-2:]  # of the fastest, drawn last
+            assert list(early.get_xdata()) == [0, 1, 2] and list(steady.get_xdata()) == [2, 3, 4]
+            assert early.get_markerfacecolor() == "white" != steady.get_markerfacecolor()
 
 
 def test_a_row_stands_beside_the_same_frames_searched_again():

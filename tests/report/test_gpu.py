@@ -84,7 +84,7 @@ def test_each_side_is_shown_at_its_own_largest_size(result):
     named = dict(plots.draw_all(result))
     for name, size in (("backend", "1M"), ("baseline", "1M"), ("device", "30M")):
         axes = named[f"stages_{name}"].axes
-        assert axes[0].get_title(loc="left") == f"gas, {size} spheres"
+        assert axes[0].get_title(loc="left") == f"gas {size}"
     assert not {f"time_{run}" for run in DEVICE_RUNS} & set(named)
     assert [p.n for p in tables.measured_memory(result)] == [10**6, 10**6]
     assert tables.compared(result, "gas", "warm") == Place("gas", 10**6)
@@ -98,9 +98,8 @@ def test_the_front_has_a_column_for_the_device(result):
 
 def test_backends_keep_their_colours(result):
     looks = style.looks(result)
-    ours = {impl.backend: look.colour for impl, look in looks.items() if impl.rule == "lowest_cell"}
-    assert ours["impl_cuda_custom"] == style.GREEN.lower()
-    assert ours["impl_thrust_cuda"] == style.ORANGE.lower()
+    assert looks["impl_cuda_custom lowest_cell"].colour == style.GREEN.lower()
+    assert looks["impl_thrust_cuda lowest_cell"].colour == style.ORANGE.lower()
     bare = [(look.colour, str(look.line)) for look in looks.values()]
     assert len(set(bare)) == len(bare)
 

@@ -5,22 +5,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
+from typing import Any
 
 import matplotlib.pyplot as plt
 from matplotlib.figure import Figure
 
-from octocell_report import style, tables
+from octocell_report import style
 from octocell_report.error import Study
-from octocell_report.load import Impl, Result
+from octocell_report.load import Result
 from octocell_report.plots import (
     bandwidth,
+    butterfly,
     correctness,
-    depth,
     dynamic,
     error_map,
     front,
     memory,
-    pareto,
     regret,
     skips,
     speed,
@@ -28,69 +28,57 @@ from octocell_report.plots import (
     steps,
     time,
 )
-from octocell_report.style import Look
 
-# Every name that draw_all() may use: a build replaces or removes these and nothing else.
-NAMES = (
-    "front",
-    *(f"time_{run}" for run in ("warm", "cold", "first_update", "update")),
-    "stages_backend",
-    "stages_device",
-    "stages_baseline",
-    "stages_per_sphere",
-    "bandwidth",
-    "bandwidth_by_size",
-    *(f"speed_{run}" for run in ("warm", "cold", "first_update", "update")),
-    "dynamic",
-    "correctness",
-    "memory",
-)
-# The same for draw_ablation().
-ABLATION_NAMES = ("ablation_skips", "ablation_steps", "ablation_regret")
-# The same for draw_error().
-ERROR_NAMES = ("error_pareto", "error_depth", "error_map")
+_RUNS = ("warm", "cold", "first_update", "update")
+_SIDES = ("backend", "device", "baseline")
+_BENCH: dict[str, Callable[..., Figure | None]] = {
+    "front": lambda result, looks: front.draw(result),
+    **{f"time_{run}": partial(time.draw, run=run) for run in _RUNS},
+    **{f"stages_{side}": partial(stages.draw, side=side) for side in _SIDES},
+    "stages_per_sphere": stages.draw_per_sphere,
+    "bandwidth": bandwidth.draw,
+    "bandwidth_by_size": bandwidth.draw_by_size,
+    **{f"speed_{run}": partial(speed.draw, run=run) for run in _RUNS},
+    "dynamic": dynamic.draw,
+    "correctness": correctness.draw,
+    "memory": memory.draw,
+}
+_ABLATION = {
+    "ablation_skips": skips.draw,
+    "ablation_steps": steps.draw,
+    "ablation_regret": regret.draw,
+}
+_ERROR = {
+    "error_pareto": butterfly.draw_rates,
+    "error_depth": butterfly.draw_depths,
+    "error_map": error_map.draw,
+}
+# Every name that draw_all() may use: a build replaces or removes these and nothing else. The same
+# for the other two.
+NAMES, ABLATION_NAMES, ERROR_NAMES = tuple(_BENCH), tuple(_ABLATION), tuple(_ERROR)
 
 
 def draw_all(result: Result) -> Iterator[tuple[str, Figure]]:
     """Name and figure, one at a time; the figure is closed when the next one is asked for."""
-    yield from _drawn(_plans(result, style.looks(result)))
+    yield from _drawn(_BENCH, result, style.looks(result))
 
 
 def draw_ablation(result: Result) -> Iterator[tuple[str, Figure]]:
     """The same for what planned rows and their variants show."""
-    plans = (partial(skips.draw, result), partial(steps.draw, result), partial(regret.draw, result))
-    yield from _drawn(dict(zip(ABLATION_NAMES, plans, strict=True)))
+    yield from _drawn(_ABLATION, result)
 
 
 def draw_error(study: Study) -> Iterator[tuple[str, Figure]]:
     """The same for run time against error."""
-    plans = (partial(plot.draw, study) for plot in (pareto, depth, error_map))
-    yield from _drawn(dict(zip(ERROR_NAMES, plans, strict=True)))
+    yield from _drawn(_ERROR, study)
 
 
-def _drawn(plans: Mapping[str, Callable[[], Figure | None]]) -> Iterator[tuple[str, Figure]]:
+def _drawn(
+    draws: Mapping[str, Callable[..., Figure | None]], *shown: Any
+) -> Iterator[tuple[str, Figure]]:
     with plt.rc_context(style.RC):
-        for name, draw in plans.items():
-            figure = draw()
-            if figure is None:
-                continue
-            yield name, figure
-            plt.close(figure)
-
-
-def _plans(result: Result, looks: dict[Impl, Look]) -> dict[str, Callable[[], Figure | None]]:
-    runs = tables.runs(result)
-    return {
-        "front": partial(front.draw, result),
-        **{f"time_{run}": partial(time.draw, result, looks, run) for run in runs},
-        "stages_backend": partial(stages.draw, result, looks, "backend"),
-        "stages_device": partial(stages.draw, result, looks, "device"),
-        "stages_baseline": partial(stages.draw, result, looks, "baseline"),
-        "stages_per_sphere": partial(stages.draw_per_sphere, result, looks),
-        "bandwidth": partial(bandwidth.draw, result, looks),
-        "bandwidth_by_size": partial(bandwidth.draw_by_size, result, looks),
-        **{f"speed_{run}": partial(speed.draw, result, looks, run) for run in runs},
-        "dynamic": partial(dynamic.draw, result, looks),
-        "correctness": partial(correctness.draw, result, looks),
-        "memory": partial(memory.draw, result, looks),
-    }
+        for name, draw in draws.items():
+            figure = draw(*shown)
+            if figure is not None:
+                yield name, figure
+                plt.close(figure)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Time across, what is missed upwards, what is false downwards; between them a strip without error.
 
-One column per class of scenes. A bold mark is the worst scene of its series, or its median time
-where none has an error; pale marks are the single scenes.
+One column per class of scenes. A bold mark is the worst scene of its series at the median time of
+the scenes; pale marks are the single scenes.
 """
 
 from __future__ import annotations
@@ -11,83 +11,138 @@ import math
 import textwrap
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import pairwise
+from operator import itemgetter
 from typing import Any
 
-import matplotlib.patheffects as effects
-import matplotlib.pyplot as plt
+from adjustText import adjust_text
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
+from matplotlib.lines import Line2D
+from matplotlib.patheffects import withStroke
+from matplotlib.text import Text
 
 from octocell_report import style, words
 from octocell_report.error import MILLION, Point, Series, Study, Summary
-from octocell_report.plots import key
-from octocell_report.plots.key import Frame
-from octocell_report.plots.labels import Placer
-from octocell_report.predicates import EXACT
+from octocell_report.plots import facets
+from octocell_report.predicates import EXACT, MEANINGS
+from octocell_report.style import Look
 
 Measure = Callable[[Point], float | None]  # None where the point has no such error
 
-_LEFT, _RIGHT, _TOP, _BOTTOM = 1.75, 0.15, 1.5, 2.2  # inches around the facets
-_UP, _DOWN, _LANE, _HEAD = 3.4, 2.9, 0.27, 0.42  # inches
-_BOLD, _PALE = 10.5, 5.5  # points
-_FRONTS = {True: "GPU", False: "CPU"}
-_HALO = [effects.withStroke(linewidth=3, foreground="white")]
+TIE = 1e-9  # what is nearer to touching than float32 can tell is drawn here, ties among it
+FAR = 10.0  # and what is wider than this; radii of 0 have any gap
+_KEY_COLUMNS = 3
+BOLD, PALE = 9.5, 5.0  # sizes of marks
+_LINES = 11  # of text that a panel has room for
+_UP_OR_DOWN: dict[str, Any] = {
+    **{"only_move": "y", "avoid_self": False, "explode_radius": 0, "iter_lim": 500},
+    "prevent_crossings": False,  # it would swap names
+}
+_TIE_BREAK = 1e-3  # names that start at the very same height would move alike
 
 
 @dataclass(frozen=True)
-class Side:
-    """What one of the two panels shows."""
-
-    measure: Measure
-    label: str
-
-
-@dataclass(frozen=True)
-class Butterfly:
+class Chart:
     title: str
-    up: Side
-    down: Side
+    up: Measure
+    down: Measure
+    up_label: str
+    down_label: str
     tick: Callable[[float], str]
-    floor: float = 0.0  # smaller measures are drawn there
-    ceiling: float = math.inf  # and larger ones there
-
-    def height(self, value: float) -> float:
-        return min(max(value, self.floor), self.ceiling)
 
 
-def draw(study: Study, butterfly: Butterfly) -> Figure | None:
+def draw_rates(study: Study) -> Figure | None:
+    """How many pairs are wrong: the plot that the error study is made for."""
+    return _draw(
+        study,
+        Chart(
+            "Run time against error: what a simpler overlap test saves, and gets wrong",
+            lambda point: point.rate(point.missed) if point.missed else None,
+            lambda point: point.rate(point.false) if point.false else None,
+            "LOST, per million true pairs",
+            "INVENTED, per million true pairs",
+            words.rate,
+        ),
+    )
+
+
+def draw_depths(study: Study) -> Figure | None:
+    """How bad the worst pair is: a miss by rounding and one of deep overlap differ."""
+    return _draw(
+        study,
+        Chart(
+            "How bad the worst pair is: deepest overlap lost, widest gap invented",
+            lambda point: _drawable(point.depth) if point.missed else None,
+            lambda point: _drawable(point.gap) if point.false else None,
+            "deepest pair lost / (rᵢ + rⱼ)",
+            "widest gap invented / (rᵢ + rⱼ)",
+            _share,
+        ),
+    )
+
+
+def _drawable(value: float | None) -> float | None:
+    return None if value is None else min(max(value, TIE), FAR)
+
+
+def _share(value: float) -> str:
+    """A share of the sum of the radii."""
+    if value <= TIE or value >= FAR:
+        return "≤ 1e-9" if value <= TIE else "≥ 10"
+    return f"{value:g}" if value >= 0.01 else f"{value:.0e}".replace("e-0", "e-")
+
+
+def _draw(study: Study, chart: Chart) -> Figure | None:
     """None where nothing has an error that could be shown."""
-    limits = _limits(study, butterfly)
-    if limits is None:
+    errors = [v for p in study.points for m in (chart.up, chart.down) if (v := m(p)) is not None]
+    if not errors:
         return None
-    lanes = _lanes(study)
-    strip = _HEAD + _LANE * len(lanes)
-    width = {1: 8.2, 2: 5.6}.get(len(study.classes), 4.35)
-    size = (_LEFT + width * len(study.classes) + _RIGHT, _TOP + _UP + strip + _DOWN + _BOTTOM)
-    figure, axes = plt.subplots(
-        3,
-        len(study.classes),
-        figsize=size,
-        squeeze=False,
+    looks, lanes, columns = _looks(study), _lanes(study), len(study.classes)
+    figure, axes = facets.grid(
+        f"{chart.title}\nleft is faster, dashed the fastest that is exact; the further from the "
+        "green strip, the worse\nbold: worst error, median time of the scenes; pale: single scenes",
+        [*study.classes, *[""] * 2 * columns],
+        [lines for lines in (_LINES, len(lanes) + 2, _LINES) for _ in study.classes],
+        columns=columns,
+        key=_key(study, looks),
+        key_columns=_KEY_COLUMNS,
         sharex=True,
         sharey="row",
-        height_ratios=[_UP, strip, _DOWN],
-        gridspec_kw={
-            "left": _LEFT / size[0],
-            "right": 1 - _RIGHT / size[0],
-            "top": 1 - _TOP / size[1],
-            "bottom": _BOTTOM / size[1],
-            "hspace": 0.0,
-            "wspace": 0.06,
-        },
     )
-    _scales(study, axes, limits, butterfly, lanes)
-    for column, name in enumerate(study.classes):
-        _Facet(figure, study, name, list(axes[:, column]), butterfly, lanes).draw()
-    key.draw(figure, study, butterfly.title, Frame(*size, _LEFT, _BOTTOM))
+    up, strip, down = (axes[at : at + columns] for at in range(0, 3 * columns, columns))
+    for at, name in enumerate(study.classes):
+        _strip(strip[at], study, name, looks, lanes)
+        _fronts(study, name, (up[at], strip[at], down[at]))
+    labels = [
+        _panel(ax, study.summaries(name), looks, measure)
+        for panels, measure in ((up, chart.up), (down, chart.down))
+        for ax, name in zip(panels, study.classes, strict=True)
+    ]
+    _headings(study, up)
+    _scales(chart, errors, up, down)
+    figure.draw_without_rendering()  # labels are moved in the final layout
+    figure.set_layout_engine("none")
+    for ax, texts in zip((*up, *down), labels, strict=True):
+        adjust_text(texts, ax=ax, **_UP_OR_DOWN)
     return figure
+
+
+def _looks(study: Study) -> dict[Series, Look]:
+    """Colour by predicate, marker by backend or library."""
+    owners = list(dict.fromkeys(map(_owner, study.series)))
+    return {
+        series: Look(
+            series.predicate or series.backend,
+            style.predicate_colour(series.predicate),
+            style.owner_marker(_owner(series), owners.index(_owner(series))),
+            "none",
+        )
+        for series in study.series
+    }
+
+
+def _owner(series: Series) -> str:
+    return series.backend if series.predicate else series.lane
 
 
 def _lanes(study: Study) -> list[str]:
@@ -96,213 +151,140 @@ def _lanes(study: Study) -> list[str]:
     return [s for s in dict.fromkeys(series.lane for series in study.series) if s in met]
 
 
-def _limits(study: Study, butterfly: Butterfly) -> tuple[float, float] | None:
-    values = [
-        butterfly.height(value)
-        for point in study.points
-        for side in (butterfly.up, butterfly.down)
-        if (value := side.measure(point)) is not None
+def _key(study: Study, looks: dict[Series, Look]) -> list[Line2D]:
+    """What shapes and colours mean."""
+    owners = {_owner(series): look.marker for series, look in looks.items()}
+    shapes = [Look(owner, style.FAINT, marker, "none") for owner, marker in owners.items()]
+    tests = [
+        Look(f"{name}: {MEANINGS[name]}", style.predicate_colour(name), "none")
+        for name in study.predicates
     ]
-    if not values:
-        return None
-    low, high = math.log10(min(values)), math.log10(max(values))
-    return 10 ** (math.floor(low) - 0.05 * max(high - low, 2)), 10 ** (
-        high + 0.1 * max(high - low, 2)
+    lines = max(len(shapes), -(-len(tests) // (_KEY_COLUMNS - 1)))
+    blank = Look(" ", "none", "none", "none")
+    first = [*shapes, *[blank] * (lines - len(shapes)), *tests]
+    return [look.entry for look in (*first, *[blank] * (_KEY_COLUMNS * lines - len(first)))]
+
+
+def _panel(
+    ax: Axes, summaries: list[Summary], looks: dict[Series, Look], measure: Measure
+) -> list[Text]:
+    """The marks of one class; the names of its tests, which are yet to be moved apart."""
+    worst: dict[str, list[tuple[float, float]]] = {}
+    for summary in summaries:
+        look = looks[summary.series]
+        met = [(p.ns, value) for p in summary.points if (value := measure(p)) is not None]
+        if met:
+            _mark(ax, look, met, bold=False)
+            worst.setdefault(look.label, []).append((summary.ns, max(met, key=itemgetter(1))[1]))
+            _mark(ax, look, worst[look.label][-1:], bold=True)
+    for name, marks in worst.items():
+        marks.sort()
+        colour = style.predicate_colour(name)
+        ax.plot(*zip(*marks, strict=True), color=colour, linewidth=1.3, alpha=0.5)
+    ours = [marks[-1][0] for name, marks in worst.items() if name in MEANINGS]
+    theirs = [marks[0][0] for name, marks in worst.items() if name not in MEANINGS]
+    return [
+        _label(ax, name, max(ours) if name in MEANINGS else min(theirs), marks[-1][1], index)
+        for index, (name, marks) in enumerate(worst.items())
+    ]
+
+
+def _label(ax: Axes, name: str, x: float, y: float, index: int) -> Text:
+    """Right of all marks of ours; left of those of libraries, which are slow."""
+    ours = name in MEANINGS
+    return ax.text(
+        x,
+        y * (1 + _TIE_BREAK * index),
+        f"  {name}" if ours else f"{name}  ",
+        ha="left" if ours else "right",
+        va="center",
+        color=style.dark(style.predicate_colour(name)),
+        weight="bold",
+        path_effects=[withStroke(linewidth=3, foreground="white")],
+        in_layout=False,
     )
 
 
-def _short_tick(value: float, _: object = None) -> str:
-    return words.size(round(value)) if value >= 1000 else words.tick(value)
+def _mark(ax: Axes, look: Look, marks: list[tuple[float, float]], bold: bool) -> None:
+    """Exact is the largest, with a rim of ink."""
+    exact = look.label == EXACT
+    known: dict[str, Any] = {"markersize": PALE, "alpha": 0.4, "markeredgewidth": 0, "zorder": 3}
+    if bold:
+        rim = style.INK if exact else style.dark(look.colour)
+        known = {"markersize": BOLD + 2 * exact, "markeredgewidth": 1 + exact, "zorder": 5 + exact}
+        known["markeredgecolor"] = rim
+    ax.plot(*zip(*marks, strict=True), **look.shape | known)
 
 
-def _scales(
-    study: Study, axes: Any, limits: tuple[float, float], butterfly: Butterfly, lanes: list[str]
-) -> None:
-    every = [point.ns for point in study.points]
-    low, high = (math.log10(limit) for limit in limits)
-    step = max(1, math.ceil((high - low) / 8))
-    ticks = [10.0**k for k in range(math.ceil(low), math.floor(high) + 1, step)]
-    for ax in axes[[0, 2]].flat:
-        ax.set_yscale("log")
-        ax.yaxis.set_major_locator(FixedLocator(ticks))
-        ax.yaxis.set_minor_locator(NullLocator())
-        ax.yaxis.set_major_formatter(FuncFormatter(lambda y, _: butterfly.tick(y)))
-    for ax in axes[0]:  # above it the fronts' labels
-        ax.set_ylim(limits[0], limits[1] * (limits[1] / limits[0]) ** 0.3)
-    for ax in axes[2]:
-        ax.set_ylim(limits[1], limits[0])
-    for ax in axes.flat:
-        ax.set_xscale("log")
-        ax.set_xlim(min(every) / 2.2, max(every) * 1.8)
-        ax.xaxis.set_major_locator(LogLocator(numticks=8))
-        ax.xaxis.set_major_formatter(FuncFormatter(_short_tick))
-        ax.xaxis.set_minor_formatter(NullFormatter())
+def _strip(ax: Axes, study: Study, name: str, looks: dict[Series, Look], lanes: list[str]) -> None:
+    """Pale where a scene has no error, bold where none of the class has."""
+    ax.set_facecolor(style.NO_ERROR_FILL)
+    facets.rows(ax, lanes, [style.dark(style.predicate_colour(lane)) for lane in lanes])
+    ax.set_ylim(len(lanes) - 0.4, -2)
+    for summary in study.summaries(name):
+        look, right = looks[summary.series], [p.ns for p in summary.points if p.errors == 0]
+        if right:
+            y = lanes.index(summary.series.lane)
+            _mark(ax, look, [(ns, y) for ns in right], bold=False)
+        if summary.errors == 0:
+            _mark(ax, look, [(summary.ns, y)], bold=True)
+    pairs = study.pairs(name)
+    bound = words.rate(3 * MILLION / pairs) if pairs else words.NONE
+    text = f"0 of {words.count(pairs)} true pairs wrong:\nbelow {bound} per million (95 %: 3/N)"
+    known: dict[str, Any] = {"fontsize": style.SMALL, "color": style.dark(style.GREEN)}
+    known["bbox"] = {"facecolor": style.NO_ERROR_FILL, "edgecolor": "none", "pad": 1}
+    ax.annotate(text, (0.015, 0.97), xycoords="axes fraction", va="top", **known)
+
+
+def _fronts(study: Study, name: str, panels: tuple[Axes, ...]) -> None:
+    """Lines that nothing exact lies left of."""
+    for on_device, summary in study.fronts(name).items():
+        for ax in panels:
+            ax.axvline(summary.ns, color=style.INK, linewidth=1.2, linestyle="--", zorder=1)
+        at: dict[str, Any] = {"xycoords": ("data", "axes fraction"), "ha": "center", "va": "bottom"}
+        panels[0].annotate(_where(on_device), (summary.ns, 1), fontsize=style.SMALL, **at)
+
+
+def _where(on_device: bool) -> str:
+    return "GPU" if on_device else "CPU"
+
+
+def _headings(study: Study, panels: list[Axes]) -> None:
+    """Under the name of each class its scenes, and the fastest that is exact."""
+    texts = {}
+    for name in study.classes:
+        scenes = dict.fromkeys(group.scene for group in study.groups if group.scene_class == name)
+        lines = textwrap.wrap(", ".join(scenes), 144 // len(panels), break_long_words=False)
+        for on_device, summary in study.fronts(name).items():
+            label, time = summary.series.label, words.number(summary.ns)
+            lines.append(f"{_where(on_device)}: {label}, {time} ns")
+        texts[name] = lines
+    height = 15 + 13 * max(map(len, texts.values()))  # points
+    for ax, (name, lines) in zip(panels, texts.items(), strict=True):
+        at: dict[str, Any] = {"xycoords": "axes fraction", "textcoords": "offset points"}
+        look: dict[str, Any] = {"va": "top", "fontsize": style.SMALL, "color": style.FAINT}
+        look["in_layout"] = False
+        ax.annotate("\n".join(lines), (0, 1), xytext=(0, height), **at, **look)
+        ax.set_title(name, pad=height + 4)
+
+
+def _scales(chart: Chart, errors: list[float], up: list[Axes], down: list[Axes]) -> None:
+    """The same up and down."""
+    low, high = math.log10(min(errors)), math.log10(max(errors))
+    powers = range(math.ceil(low), math.floor(high) + 1, math.ceil((high - low + 1) / 6))
+    room = 0.08 * (high - low + 2)
+    limits = 10 ** (low - room), 10 ** (high + room)
+    up[0].set_ylim(*limits)
+    down[0].set_ylim(*reversed(limits))
+    for ax in (*up, *down):
+        facets.logarithmic(ax, "x", "", text=_short)
+        facets.logarithmic(ax, "y", "", [10.0**power for power in powers], chart.tick)
         ax.tick_params(length=0)
-    head = _HEAD / _LANE
-    for ax in axes[1]:
-        ax.set_facecolor(style.NO_ERROR_FILL)
-        ax.set_ylim(len(lanes) - 0.45, -0.55 - head)
-        ax.yaxis.set_major_locator(FixedLocator(list(range(len(lanes)))))
-        ax.yaxis.set_major_formatter(FuncFormatter(lambda y, _: lanes[round(y)]))
-        ax.grid(axis="x", color="white")
-    for tick, lane in zip(axes[1, 0].get_yticklabels(), lanes, strict=True):
-        tick.set_color(style.dark(style.predicate_colour(lane)))
-        tick.set_fontweight("bold" if lane == EXACT else "normal")
-    axes[0, 0].set_ylabel(butterfly.up.label)
-    axes[2, 0].set_ylabel(butterfly.down.label)
+    for ax in down:
+        ax.set_xlabel("time per sphere [ns]")
+    up[0].set_ylabel(chart.up_label)
+    down[0].set_ylabel(chart.down_label)
 
 
-class _Facet:
-    """One class of scenes."""
-
-    def __init__(
-        self,
-        figure: Figure,
-        study: Study,
-        name: str,
-        axes: list[Axes],
-        butterfly: Butterfly,
-        lanes: list[str],
-    ) -> None:
-        self.figure, self.study, self.name, self.butterfly, self.lanes = (
-            figure,
-            study,
-            name,
-            butterfly,
-            lanes,
-        )
-        self.up, self.strip, self.down = axes
-        self.summaries = study.summaries(name)
-        self.looks = key.looks(study)
-
-    def draw(self) -> None:
-        places = [group.scene for group in self.study.groups if group.scene_class == self.name]
-        scenes = textwrap.fill(", ".join(dict.fromkeys(places)), 54, break_long_words=False)
-        self.up.set_title(self.name, pad=36)
-        look: dict[str, Any] = {"xytext": (0, 33), "textcoords": "offset points", "va": "top"}
-        look |= {"xycoords": "axes fraction", "color": style.FAINT, "fontsize": 10.5}
-        self.up.annotate(scenes, (0, 1), **look)
-        self._zero()
-        fronts = self._fronts()
-        self._panel(self.up, self.butterfly.up, fronts)
-        self._panel(self.down, self.butterfly.down, [])
-
-    def _zero(self) -> None:
-        """The strip: pale where a scene has no error, bold where none of the class has."""
-        pairs = self.study.pairs(self.name)
-        bound = words.rate(3 * MILLION / pairs) if pairs else words.NONE
-        self.strip.text(
-            0.015,
-            -0.62,
-            f"0 of {words.count(pairs)} true pairs wrong:\nbelow {bound} per million (95 %: 3/N)",
-            transform=self.strip.get_yaxis_transform(),
-            va="bottom",
-            fontsize=9.5,
-            color="#2d6a4a",
-            linespacing=1.05,
-            bbox={"facecolor": style.NO_ERROR_FILL, "edgecolor": "none", "pad": 1.5},
-            zorder=2,
-        )
-        for summary in self.summaries:
-            lane = summary.series.lane
-            for point in summary.points:
-                if point.errors == 0:
-                    self._mark(
-                        self.strip, summary.series, point.ns, self.lanes.index(lane), bold=False
-                    )
-            if summary.errors == 0:
-                self._mark(
-                    self.strip, summary.series, summary.ns, self.lanes.index(lane), bold=True
-                )
-
-    def _fronts(self) -> list[Any]:
-        """Lines that nothing exact lies left of."""
-        found = []
-        fronts = self.study.fronts(self.name)
-        every = [point.ns for point in self.study.points]
-        middle = math.sqrt(min(every) * max(every))
-        for number, (on_device, summary) in enumerate(fronts.items()):
-            for ax in (self.up, self.strip, self.down):
-                ax.axvline(
-                    summary.ns, color=style.INK, linewidth=1.2, linestyle=(0, (4, 2)), zorder=1
-                )
-            name, how = summary.series.backend, summary.series.predicate
-            how = f"{how}, " if how else ""
-            text = (
-                f"fastest exact, {_FRONTS[on_device]}:\n{name}\n{how}{words.number(summary.ns)} ns"
-            )
-            late = summary.ns > middle and len(fronts) == 1
-            note = self.up.annotate(
-                text,
-                (summary.ns, 1),
-                xycoords=("data", "axes fraction"),
-                xytext=(-5 if late else 5, -4 - 40 * number),  # one below the other
-                textcoords="offset points",
-                ha="right" if late else "left",
-                va="top",
-                fontsize=9.5,
-                linespacing=1.1,
-                bbox={"facecolor": "white", "edgecolor": "none", "pad": 1},  # over other lines
-            )
-            found.append(note)
-        return found
-
-    def _panel(self, ax: Axes, side: Side, texts: list[Any]) -> None:
-        placer = Placer(self.figure, ax)
-        for text in texts:
-            placer.text(text)
-        lines: dict[str, list[tuple[float, float]]] = {}
-        for summary in self.summaries:
-            worst = self._marks(ax, summary, side.measure, placer)
-            if worst is not None:
-                name = summary.series.predicate or summary.series.backend
-                lines.setdefault(name, []).append(worst)
-        for name, marks in lines.items():
-            marks.sort()
-            line: dict[str, Any] = {"linewidth": 1.3, "alpha": 0.5, "zorder": 2}
-            ax.plot(*zip(*marks, strict=True), color=style.predicate_colour(name), **line)
-        for name, marks in sorted(lines.items(), key=lambda item: -item[1][0][1]):
-            look: dict[str, Any] = {"fontsize": 10.5, "weight": "bold", "path_effects": _HALO}
-            anchors = [*_gaps(marks), *marks[::-1]]
-            placer.label(name, anchors, color=style.dark(style.predicate_colour(name)), **look)
-
-    def _marks(
-        self, ax: Axes, summary: Summary, measure: Measure, placer: Placer
-    ) -> tuple[float, float] | None:
-        """Every scene pale; bold the worst error, at the median time, and where that is: times of
-        single scenes differ by more than tests do."""
-        found = [
-            (self.butterfly.height(value), point.ns)
-            for point in summary.points
-            if (value := measure(point)) is not None
-        ]
-        for value, ns in found:
-            self._mark(ax, summary.series, ns, value, bold=False)
-            placer.mark(ns, value, _PALE, 1.0)
-        if not found:
-            return None
-        value = max(found)[0]
-        self._mark(ax, summary.series, summary.ns, value, bold=True)
-        placer.mark(summary.ns, value, _BOLD, 20.0)
-        return summary.ns, value
-
-    def _mark(self, ax: Axes, series: Series, x: float, y: float, bold: bool) -> None:
-        colour, marker = self.looks[series]
-        look: dict[str, Any] = {"markersize": _PALE, "alpha": 0.4, "zorder": 3}
-        look["markeredgewidth"] = 0.0
-        if bold and series.predicate == EXACT:
-            look = {"markersize": _BOLD + 2, "zorder": 6}
-            look |= {"markeredgecolor": style.INK, "markeredgewidth": 1.8}
-        elif bold:
-            look = {"markersize": _BOLD, "zorder": 5}
-            look |= {"markeredgecolor": style.dark(colour), "markeredgewidth": 1.0}
-        ax.plot([x], [y], marker=marker, color=colour, linestyle="none", **look)
-
-
-def _gaps(marks: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """The middles of wide gaps between neighbours, where a label hides none of the marks."""
-    return [
-        (math.sqrt(x * next_x), math.sqrt(y * next_y))
-        for (x, y), (next_x, next_y) in pairwise(marks)
-        if next_x > 8 * x
-    ]
+def _short(value: float) -> str:
+    return words.size(round(value)) if value >= 1000 else words.tick(value)

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from octocell_report import style, words
-from octocell_report.load import Impl, Result
+from octocell_report.load import Result
 from octocell_report.style import Look
 
 _ACROSS = 9  # scenes side by side; more go into a band below
@@ -25,13 +25,13 @@ _FILLS = {  # and inks
 }
 
 
-def draw(result: Result, looks: dict[Impl, Look]) -> Figure | None:
+def draw(result: Result, looks: dict[str, Look]) -> Figure | None:
     """Those that err on scenes where any does, and one line for all others; None if none errs."""
     frame = result.frame
     wrong = frame[frame["status"] == "wrong"]
     if wrong.empty:
         return None
-    titles = {impl: look.label for impl, look in looks.items()}
+    titles = dict(zip(result.impls, (look.label for look in looks.values()), strict=True))
     scenes = [scene for scene in result.scenes if (wrong["scene"] == scene).any()]
     bands = [scenes[at : at + _ACROSS] for at in range(0, len(scenes), _ACROSS)]
     impls = [impl for place, impl in enumerate(result.impls) if (wrong["order"] == place).any()]

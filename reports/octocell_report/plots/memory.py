@@ -3,74 +3,44 @@
 
 from __future__ import annotations
 
-import math
-
-import matplotlib.pyplot as plt
+import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
 
-from octocell_report import style, tables, words
-from octocell_report.load import Impl, Result, Row
+from octocell_report import style, words
+from octocell_report.load import Place, Result
+from octocell_report.plots import facets
 from octocell_report.style import Look
 
-_COLUMNS = 3
+_COLUMNS = 2
 
 
-def draw(result: Result, looks: dict[Impl, Look]) -> Figure | None:
-    needs = {place: tables.memory(result, place) for place in tables.measured_memory(result)}
-    impls = [i for i in result.impls if any(i in need for need in needs.values())]
-    if not impls:
+def draw(result: Result, looks: dict[str, Look]) -> Figure | None:
+    """Of each implementation the run that needed most."""
+    rows = facets.at_largest(result.frame[result.frame["beyond_bytes"].notna()])
+    if rows.empty:
         return None
-    columns = min(_COLUMNS, len(needs))
-    lines = math.ceil(len(needs) / columns)
-    figure, axes = plt.subplots(
-        lines,
-        columns,
-        figsize=(3.6 + 3.5 * columns, (0.34 * len(impls) + 1.1) * lines + 0.6),
-        squeeze=False,
-        sharey=True,
-        layout="constrained",
-    )
-    for ax, (place, need) in zip(axes.flat, needs.items(), strict=False):
-        _facet(ax, looks, impls, need)
-        ax.set_title(f"{place.scene}, {words.size(place.n)}")
-        ax.set_xlabel("bytes per sphere")
-    for ax in list(axes.flat)[len(needs) :]:
-        ax.set_visible(False)
-    figure.suptitle(
+    rows = rows.sort_values("beyond_bytes").drop_duplicates(["scene", "label"], keep="last")
+    places = {Place(*at): here for at, here in rows.groupby(["scene", "n"], sort=False)}
+    shown = [place for scene in result.scenes for place in places if place.scene == scene]
+    figure, axes = facets.grid(
         "Memory per sphere beyond input and output\n"
         "growth of resident memory in a process of its own; hatched: not exact there",
-        x=0.01,
-        ha="left",
-        fontsize=12.5,
+        [words.place(place) for place in shown],
+        [len(places[place]) for place in shown],
+        columns=_COLUMNS,
     )
+    for ax, place in zip(axes, shown, strict=True):
+        _facet(ax, places[place].sort_values("order"), looks)
     return figure
 
 
-def _facet(ax: Axes, looks: dict[Impl, Look], impls: list[Impl], need: dict[Impl, Row]) -> None:
-    values = {impl: tables.beyond_bytes(row) or 0.0 for impl, row in need.items()}
-    longest = max(max(values.values()), 1.0)
-    for y, impl in enumerate(impls):
-        if impl not in values:
-            why = "skipped or not measured"
-            ax.text(longest * 0.01, y, why, va="center", color=style.FAINT, fontsize=10)
-            continue
-        look, exact = looks[impl], need[impl].counts
-        ax.barh(
-            y,
-            values[impl],
-            height=0.66,
-            color=look.colour if exact else "white",
-            edgecolor=look.edge,
-            hatch=None if exact else "////",
-            linewidth=0.8,
-        )
-        end = max(values[impl], 0) + 0.02 * longest
-        ax.text(end, y, words.grouped(values[impl]), va="center", fontsize=10)
-    ax.set_xlim(min(0.0, *values.values()) * 1.1, longest * 1.25)
-    ax.set_ylim(len(impls) - 0.4, -0.6)
-    ax.set_yticks(range(len(impls)), [looks[impl].label for impl in impls])
-    ax.tick_params(axis="y", length=0)
-    ax.grid(axis="y", visible=False)
-    ax.xaxis.set_major_locator(MaxNLocator(4))
+def _facet(ax: Axes, rows: pd.DataFrame, looks: dict[str, Look]) -> None:
+    needs, here = rows["beyond_bytes"], [looks[label] for label in rows["label"]]
+    facets.rows(ax, [look.label for look in here])
+    bars = ax.barh(range(len(rows)), needs, height=0.66, color=[look.colour for look in here])
+    ax.bar_label(bars, list(map(words.grouped, needs)), padding=4, fontsize=style.SMALL)
+    for bar, exact in zip(bars, rows["counts"], strict=True):
+        facets.mark_wrong(bar, exact)
+    ax.set_xlim(min(0.0, 1.1 * needs.min()), 1.2 * max(needs.max(), 1.0))
+    facets.linear(ax, "bytes per sphere")

@@ -3,9 +3,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
@@ -14,113 +11,72 @@ from octocell_report import ablation, style, tables, words
 from octocell_report.ablation import WORTH_TELLING, Step, Study
 from octocell_report.load import Result
 from octocell_report.plan import NOTHING, PLANNED
+from octocell_report.plots import facets
 
 _COLUMNS = 3
-_FILLS = {
-    "start": "#b8bec6",
-    "saved": style.GREEN,
-    "lost": style.VERMILLION,
-    "joint": "#cdb4d4",
-    "noise": "#dfe3e8",
-    "planned": style.BLUE,
-}
-_MEANINGS = {
-    "start": "nothing skipped",
-    "saved": "saved by the step",
-    "lost": "lost by the step",
-    "joint": "several steps at once",
-    "noise": "step within the noise",
-    "planned": "planned",
+_KINDS = {
+    "start": ("#b8bec6", "nothing skipped"),
+    "saved": (style.GREEN, "saved by the step"),
+    "lost": (style.VERMILLION, "lost by the step"),
+    "joint": ("#cdb4d4", "several steps at once"),
+    "noise": ("#dfe3e8", "step within the noise"),
+    "planned": (style.BLUE, "planned"),
 }
 
 
 def draw(result: Result) -> Figure | None:
     """None without a study that begins with nothing skipped."""
-    shown = [study for study in ablation.studies(result) if ablation.steps(study)]
-    if not shown:
+    shown = {study.key: ablation.steps(study) for study in ablation.studies(result)}
+    studies = [study for study in ablation.studies(result) if shown[study.key]]
+    if not studies:
         return None
-    columns = min(len(shown), _COLUMNS)
-    lines = -(-len(shown) // columns)
-    most = max(len(ablation.steps(study)) for study in shown) + 2
-    figure, grid = plt.subplots(
-        lines,
-        columns,
-        figsize=(max(4.3 * columns + 1.2, 8.5), (0.235 * most + 1.0) * lines + 1.2),
-        squeeze=False,
-        layout="constrained",
+    kinds = {step.kind for steps in shown.values() for step in steps}
+    figure, axes = facets.grid(
+        "Skips allowed one after the other, from none to all: median time, all in the same rounds\n"
+        "beside a bar: what the step changes, where it is beyond the noise and "
+        f"{100 * WORTH_TELLING:.0f} % of the start; grey name: the plan of that step does not take "
+        "it",
+        _titles(studies),
+        [len(shown[study.key]) + 2 for study in studies],
+        0.94,
+        _COLUMNS,
+        [Patch(color=f, label=t) for k, (f, t) in _KINDS.items() if k != "joint" or k in kinds],
+        key_columns=6,
     )
-    several = len({study.key.backend for study in shown}) > 1
-    for ax, study in zip(grid.flat, shown, strict=False):
-        _facet(ax, study)
-        ax.set_title(f"{study.key.backend}\n{study.title}" if several else study.title, fontsize=12)
-    for unused in list(grid.flat)[len(shown) :]:
-        unused.set_visible(False)
-    _finish(figure, {step.kind for study in shown for step in ablation.steps(study)})
+    for ax, study in zip(axes, studies, strict=True):
+        _facet(ax, study, shown[study.key])
     return figure
 
 
-def _facet(ax: Axes, study: Study) -> None:
-    steps = ablation.steps(study)
+def _titles(studies: list[Study]) -> list[str]:
+    several = len({study.key.backend for study in studies}) > 1
+    return [f"{s.key.backend}\n{s.title}" if several else s.title for s in studies]
+
+
+def _facet(ax: Axes, study: Study, steps: list[Step]) -> None:
+    """A bar for the start and for the plan; those of steps hang between before and after."""
     first, last = steps[0].before, tables.ns_per_sphere(study.base)
-    _total(ax, 0, first, "start")
-    for y, step in enumerate(steps, start=1):
-        _step(ax, y, step)
-    _total(ax, len(steps) + 1, last, "planned")
-    levels = [first, last, *(step.after for step in steps if step.after is not None)]
-    ax.set_xlim(0, 1.24 * max(levels))  # room for numbers
-    ax.set_ylim(len(steps) + 1.6, -0.6)
     names = [NOTHING, *(f"+ {step.skip}" for step in steps), PLANNED]
-    ax.set_yticks(range(len(names)), names, fontsize=10.5)
-    for label, step in zip(ax.get_yticklabels()[1:], steps, strict=False):
-        label.set_color(style.INK if step.taken else style.FAINT)
-    ax.tick_params(axis="y", length=0)
-    ax.tick_params(axis="x", labelsize=10.5)
-    ax.grid(axis="y", visible=False)
-    ax.set_xlabel("ns per sphere", fontsize=10.5)
-
-
-def _total(ax: Axes, y: int, value: float, kind: str) -> None:
-    ax.barh([y], [value], color=_FILLS[kind], height=0.74)
-    _write(ax, y, value, words.number(value), style.INK)
+    facets.rows(ax, names, [style.INK, *(style.INK if s.taken else style.FAINT for s in steps)])
+    for y, value, kind in ((0, first, "start"), (len(steps) + 1, last, "planned")):
+        ax.barh(y, value, color=_KINDS[kind][0], height=0.74)
+        facets.beside(ax, value, y, words.number(value))
+    for y, step in enumerate(steps, start=1):
+        ax.plot([step.before] * 2, [y - 1.37, y + 0.37], color=style.FAINT, linewidth=0.8)
+        _step(ax, y, step)
+    ax.set_xlim(0, 1.24 * max(first, last, *(step.after or 0.0 for step in steps)))
+    facets.linear(ax, "ns per sphere")
 
 
 def _step(ax: Axes, y: int, step: Step) -> None:
-    """The bar hangs between the time before and the time after."""
-    ax.plot([step.before] * 2, [y - 1.37, y + 0.37], color=style.FAINT, linewidth=0.8, zorder=0.9)
     if step.after is None:
         wrong = step.row.status == "wrong"
         text = f"wrong {words.losses(step.row)}" if wrong else "skipped"
-        _write(ax, y, step.before, text, style.VERMILLION if wrong else style.FAINT)
+        facets.beside(ax, step.before, y, text, color=style.VERMILLION if wrong else style.FAINT)
         return
-    low, high = sorted((step.before, step.after))
-    ax.barh([y], [high - low], left=low, color=_FILLS[step.kind], height=0.74)
+    colour = _KINDS[step.kind][0]
+    ax.barh(y, step.change, left=step.before, color=colour, height=0.74, zorder=2)
     if step.told:
-        sign = words.MINUS if step.change < 0 else "+"
-        _write(ax, y, high, f"{sign}{words.number(high - low)}", _ink(step.kind))
-
-
-def _ink(kind: str) -> str:
-    return style.FAINT if kind == "joint" else style.darker(_FILLS[kind], 0.25)
-
-
-def _write(ax: Axes, y: int, x: float, text: str, ink: str) -> None:
-    look: dict[str, Any] = {"xytext": (4, 0), "textcoords": "offset points", "fontsize": 10}
-    ax.annotate(text, (x, y), va="center", ha="left", color=ink, **look)
-
-
-def _finish(figure: Figure, kinds: set[str]) -> None:
-    figure.suptitle(
-        "Skips allowed one after the other, from none to all: median time, all in the same rounds\n"
-        "beside a bar: what the step changes, where it is beyond the noise and "
-        f"{100 * WORTH_TELLING:.0f} % of the start; "
-        "grey name: the plan of that step does not take it",
-        x=0.01,
-        ha="left",
-        fontsize=12.5,
-    )
-    handles = [
-        Patch(facecolor=_FILLS[kind], label=text)
-        for kind, text in _MEANINGS.items()
-        if kind != "joint" or kind in kinds
-    ]
-    figure.legend(handles=handles, loc="outside lower left", ncols=3)
+        text = f"{words.MINUS if step.change < 0 else '+'}{words.number(abs(step.change))}"
+        ink = style.FAINT if step.kind == "joint" else style.darker(colour, 0.25)
+        facets.beside(ax, max(step.before, step.after), y, text, color=ink)
