@@ -4,23 +4,26 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from octocell_report import words
-from octocell_report.load import Result, Row
+from octocell_report.load import Result
 from octocell_report.texts import Said, listed, say
 
 
 @dataclass(frozen=True)
 class Verdict:
+    """Counts of rows, and rows as named tuples of the frame's columns."""
+
     exact: int  # default rows that ran and are exact
-    wrong: list[Row]  # default rows that ran and are not
-    excused: list[Row]  # wrong by a known issue of their library; reported, not counted
+    wrong: list[Any]  # default rows that ran and are not
+    excused: list[Any]  # wrong by a known issue of their library; reported, not counted
     skipped: int
     negative_controls: int  # rows kept because their rule is wrong; they do not count
     unavailable: list[str]  # real scenes that could not be fetched
     finished: bool
     variants: int  # planned rows with skips forbidden that ran: asked to be exact, not default
-    wrong_variants: list[Row]
+    wrong_variants: list[Any]
 
     @property
     def checked(self) -> int:
@@ -33,17 +36,19 @@ class Verdict:
 
 
 def judge(result: Result) -> Verdict:
-    default = [row for row in result.rows if not row.negative_control]
+    rows, variants = result.frame, result.variants_frame
+    default = rows[~rows["negative_control"]]
+    wrong = default[default["status"] == "wrong"]
     return Verdict(
-        exact=sum(row.status == "ok" for row in default),
-        wrong=[row for row in default if row.status == "wrong" and not row.excused],
-        excused=[row for row in default if row.excused],
-        skipped=sum(row.status == "skipped" for row in result.rows),
-        negative_controls=sum(r.negative_control and r.status != "skipped" for r in result.rows),
+        exact=int((default["status"] == "ok").sum()),
+        wrong=[*wrong[~wrong["excused"]].itertuples()],
+        excused=[*wrong[wrong["excused"]].itertuples()],
+        skipped=int((~rows["ran"]).sum()),
+        negative_controls=int((rows["negative_control"] & rows["ran"]).sum()),
         unavailable=[g.scene for g in result.groups if g.unavailable is not None],
         finished=bool(result.context["finished"]),
-        variants=sum(row.status != "skipped" for row in result.variants),
-        wrong_variants=[row for row in result.variants if row.status == "wrong"],
+        variants=int(variants["ran"].sum()),
+        wrong_variants=[*variants[variants["status"] == "wrong"].itertuples()],
     )
 
 

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from statistics import median
 from typing import NamedTuple
 
@@ -12,7 +11,7 @@ import numpy as np
 import pandas as pd
 
 from octocell_report import spread, words
-from octocell_report.load import DEVICE_RUNS, RUNS, Group, Impl, Place, Result, Row
+from octocell_report.load import DEVICE_RUNS, RUNS, Impl, Place, Result, Row
 
 UPDATES = ("first_update", "update")
 DYNAMIC = "dynamic"
@@ -129,39 +128,6 @@ def ratios(result: Result, run: str) -> list[Ratio]:
     ]
 
 
-@dataclass(frozen=True)
-class Cell:
-    """One entry of the correctness matrix, over all runs of one implementation at one place."""
-
-    state: str  # exact | wrong | negative control | skipped | unavailable | absent
-    text: str
-
-
-def cell(rows: list[Row], group: Group) -> Cell:
-    """Wrong beats exact beats skipped: one bad run is enough."""
-    if group.unavailable is not None:
-        return Cell("unavailable", "no scene")
-    if not rows:
-        return Cell("absent", "")
-    wrong = [row for row in rows if row.status == "wrong"]
-    if wrong:
-        worst = max(wrong, key=lambda r: (r.missed or 0) + (r.false or 0) + (r.duplicates or 0))
-        return Cell("negative_control" if worst.negative_control else "wrong", words.losses(worst))
-    if any(row.status == "ok" for row in rows):
-        return Cell("exact", "exact")
-    return Cell("skipped", words.short_reason(rows[0].reason, 24))
-
-
-def correctness(result: Result) -> dict[tuple[Impl, Place], Cell]:
-    return {
-        (impl, group.place): cell(
-            [row for row in result.rows if row.impl == impl and row.place == group.place], group
-        )
-        for impl in result.impls
-        for group in result.groups
-    }
-
-
 def beyond_bytes(row: Row) -> float | None:
     """Bytes per sphere beyond input and output, on the host: None for a device's row."""
     if row.device_bytes is not None:
@@ -187,12 +153,6 @@ def memory(result: Result, place: Place) -> dict[Impl, Row]:
 def ns_per_sphere(row: Row) -> float:
     """NaN without spheres or without a time."""
     return row.median_ms * 1e6 / row.place.n if row.place.n else math.nan
-
-
-def candidates_per_pair(result: Result, row: Row) -> float:
-    """Pairs looked at for each true pair; NaN where either is unknown or there is none."""
-    truth = next(g.truth_pairs for g in result.groups if g.place == row.place)
-    return row.candidates / truth if row.candidates is not None and truth else math.nan
 
 
 def runs(result: Result) -> list[str]:
