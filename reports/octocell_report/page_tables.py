@@ -10,11 +10,11 @@ from typing import Any
 
 import pandas as pd
 
-from octocell_report import ablation, dynamic, front, tables, words
+from octocell_report import ablation, front, tables, words
 from octocell_report.ablation import Regret
 from octocell_report.error import MILLION, Study
 from octocell_report.load import Result
-from octocell_report.plan import PLANNED
+from octocell_report.plan import PLANNED, REBUILT
 from octocell_report.spread import Estimate, ratios
 from octocell_report.texts import TEXTS, Said, listed, say
 
@@ -166,7 +166,7 @@ def steady_frames(result: Result) -> pd.DataFrame:
     warmups = result.motion_frames.groupby("row")["warmup"].agg(["size", "sum"])
     again = {
         (row.label, row.scene, row.n, row.motion): row.round_ms
-        for row in variants[variants["skips"] == dynamic.REBUILT].itertuples()
+        for row in variants[variants["skips"] == REBUILT].itertuples()
         if row.counts
     }
     found = []

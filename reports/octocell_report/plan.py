@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 
 PLANNED = "planned"  # the method of rows that the planner decides
+REBUILT = "rebuilt"  # the variant whose frames take nothing over
 NOTHING = "none"  # the variant for which every skip is forbidden
 
 _FIRST = re.compile(r"first_(\d+)_(\w+)")

@@ -13,12 +13,11 @@ from typing import Any
 import pandas as pd
 
 from octocell_report import spread, tables, words
-from octocell_report.dynamic import REBUILT
 from octocell_report.fields import ReportError
 from octocell_report.language import listed, tell
 from octocell_report.load import Group, Place, Result
 from octocell_report.markdown import bold, code, table
-from octocell_report.plan import PLANNED
+from octocell_report.plan import PLANNED, REBUILT
 from octocell_report.words import NONE, family_title, grouped, number
 
 SCENE = "gas"  # the plain scene: the tables of speeds are about it alone
@@ -136,7 +135,7 @@ def _right(result: Result, order: int, scene: str) -> str:
 
 def speed(result: Result) -> str:
     """Ratios first: they carry over to other machines better than times do."""
-    place = tables.compared(result, SCENE, "warm") or result.largest(SCENE)
+    place = tables.compared(result, SCENE, "warm")
     if place is None:
         raise ReportError(f"block 'speed' needs the scene {SCENE}, which the result does not have")
     here = chosen(result.frame, scene=SCENE, n=place.n)

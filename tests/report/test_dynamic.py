@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
+from statistics import median
+
 import pytest
 
 from octocell_report import (
-    dynamic,
     frames,
     page,
     page_tables,
@@ -17,7 +18,7 @@ from octocell_report import (
     words,
 )
 from octocell_report.fields import ReportError
-from octocell_report.load import Place, parse
+from octocell_report.load import parse
 
 import synthetic
 from synthetic import group, row, skipped
@@ -65,21 +66,17 @@ def test_where_all_is_warm_up_all_frames_count():
 
 
 def test_ratios_are_of_steady_frames_round_by_round():
-    found = {ratio.family: ratio for ratio in tables.ratios(result_of(*three()), "dynamic")}
-    assert found["fcl"].rounds == pytest.approx((3.0, 3.0, 3.0))
-    assert found["bullet"].median == pytest.approx(0.5)
-    assert found["fcl"].motion == "gas_brownian" and found["fcl"].own_run == "dynamic"
+    found = tables.speedups(result_of(*three())).set_index("family_ref")
+    assert found["ratios"]["fcl"] == pytest.approx((3.0, 3.0, 3.0))
+    assert median(found["ratios"]["bullet"]) == pytest.approx(0.5)
+    assert set(found["motion"]) == {"gas_brownian"} and set(found["own_run"]) == {"dynamic"}
 
 
-def test_two_motions_of_one_scene_are_two_courses():
-    rows = [*three(), *(moving(factor=7.0, motion="gravity") for _ in range(1))]
-    result = result_of(*rows)
-    place = Place("gas_brownian", 1000)
-    assert list(dynamic.courses(result)) == [(place, "gas_brownian"), (place, "gravity")]
-    assert [course.title for course in dynamic.courses(result)] == [
-        "gas_brownian 1k", "gas_brownian 1k, gravity"
-    ]  # fmt: skip
-    assert all(ratio.motion != "gravity" for ratio in tables.ratios(result, "dynamic"))
+def test_two_motions_of_one_scene_are_two_facets_and_no_ratio():
+    result = result_of(*three(), moving(factor=7.0, motion="gravity"))
+    titles = [ax.get_title() for ax in figure_of(result).axes]
+    assert titles == ["gas_brownian 1k", "gas_brownian 1k, gravity"]
+    assert "gravity" not in set(tables.speedups(result)["motion"])
 
 
 def test_the_table_has_steady_and_first_frames():
@@ -130,7 +127,7 @@ def test_dynamic_rows_without_frames_are_tolerated():
     less = skipped(row("fcl_a", None, None, run="dynamic"), "crashed: signal 11")
     result = parse(synthetic.document([group("gas", 1000)], [plain, less]))
     assert result.rows[0].round_ms == (1.0, 1.02, 1.04)
-    assert page_tables.steady_frames(result).empty and dynamic.courses(result) == {}
+    assert page_tables.steady_frames(result).empty
     assert "crashed: signal 11" in page.render(result, page.Path("nowhere"))
 
 

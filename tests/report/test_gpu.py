@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pandas as pd
 import pytest
 
@@ -42,9 +44,10 @@ def test_a_rate_is_least_bytes_by_median_time():
     stages = {"sort": [1.0, 3.0, 2.0], "resolve": [1.0]}
     known = device_row(stage_ms=stages, stage_bytes={"sort": 2_900_000_000, "bounds": 5})
     found = of_rows(known, gpu=synthetic_gpu.gpu())
-    (rate,) = bandwidth.rates(found, found.rows[0])
-    assert (rate.stage, rate.gbps, rate.share) == ("sort", 1450.0, 0.5)
-    assert bandwidth.whole(found, found.rows[0]) is None  # nothing known of resolve's bytes
+    first, last, whole = bandwidth.frame(found).itertuples()
+    assert (first.stage, first.gbps, first.share) == ("sort", 1450.0, 0.5)
+    assert whole.stage == bandwidth.ALL and math.isnan(whole.gbps)  # resolve's bytes are not known
+    assert math.isnan(last.share)
 
 
 def test_too_few_bytes_are_told_and_not_ranked():
@@ -54,21 +57,22 @@ def test_too_few_bytes_are_told_and_not_ranked():
         total_ms=[2.0],
     )
     found = of_rows(known, gpu=synthetic_gpu.gpu())
-    assert [rate.tiny for rate in bandwidth.rates(found, found.rows[0])] == [True, False]
+    assert bandwidth.frame(found)["tiny"].tolist() == [True, False, False]
 
 
 def test_without_a_measured_copy_rates_stand_alone():
     known = device_row(stage_ms={"sort": [1.0]}, stage_bytes={"sort": 10**9}, total_ms=[1.0])
     found = of_rows(known)
     assert found.gpu is None
-    (rate,) = bandwidth.rates(found, found.rows[0])
-    assert (rate.gbps, rate.share, rate.tiny) == (1000, None, False)
+    rate = bandwidth.frame(found).iloc[0]
+    assert (rate["gbps"], rate["tiny"]) == (1000, False) and math.isnan(rate["share"])
     assert dict(plots.draw_all(found)).keys() >= {"bandwidth"}
 
 
 def test_rows_that_are_not_exact_have_no_bandwidth():
     bad = synthetic.wrong(device_row(), missed=1)
-    assert bandwidth.rows(of_rows(bad, device_row(rule="chapter32", negative_control=True))) == []
+    control = device_row(rule="chapter32", negative_control=True)
+    assert bandwidth.frame(of_rows(bad, control)).empty
 
 
 def test_runs_are_held_against_the_warm_one_round_by_round():
@@ -86,7 +90,6 @@ def test_each_side_is_shown_at_its_own_largest_size(result):
         axes = named[f"stages_{name}"].axes
         assert axes[0].get_title(loc="left") == f"gas {size}"
     assert not {f"time_{run}" for run in DEVICE_RUNS} & set(named)
-    assert [p.n for p in tables.measured_memory(result)] == [10**6, 10**6]
     assert tables.compared(result, "gas", "warm") == Place("gas", 10**6)
 
 

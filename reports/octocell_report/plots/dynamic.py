@@ -3,28 +3,38 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from octocell_report import dynamic, style, words
-from octocell_report.load import Result, Row
+from octocell_report import style, words
+from octocell_report.load import Place, Result
+from octocell_report.plan import REBUILT
 from octocell_report.plots import facets
 from octocell_report.style import Look
 
 _LEAST = 12  # lines of text that a facet is high
-Line = tuple[Look, Row, Row | None]  # a row, and the same frames searched again
+_COURSE = ["scene", "n", "motion"]
+Line = tuple[Look, Any, Any]  # a row of Result.frame, and the same frames searched again or None
 
 
 def draw(result: Result, looks: dict[str, Look]) -> Figure | None:
-    """One facet per course: exact rows alone; None if no row has frames."""
-    again = dynamic.searched_again(result)
+    """One facet per scene, size and motion: exact rows alone; None if no row has frames."""
+    rows, variants = result.frame, result.variants_frame
+    moving = rows[rows["motion"].notna() & rows["counts"] & (rows["median_ms"] > 0)]
+    again = {
+        (row.label, row.scene, row.n, row.motion): row
+        for row in variants[(variants["skips"] == REBUILT) & variants["counts"]].itertuples()
+    }
     lines: dict[str, list[Line]] = {}
-    for course, rows in dynamic.courses(result).items():
-        for row in sorted(rows, key=lambda row: -row.median_ms):
-            if row.counts and row.median_ms > 0:
-                line = looks[result.labels[row.impl]], row, again.get((row.impl, row.place))
-                lines.setdefault(course.title, []).append(line)
+    for (scene, n, motion), here in moving.groupby(_COURSE, sort=False):
+        title = words.place(Place(scene, n)) + (f", {motion}" if motion != scene else "")
+        lines[title] = [
+            (looks[row.label], row, again.get((row.label, scene, n, motion)))
+            for row in here.sort_values("median_ms", ascending=False, kind="stable").itertuples()
+        ]
     if not lines:
         return None
     figure, axes = facets.grid(
@@ -44,15 +54,15 @@ def draw(result: Result, looks: dict[str, Look]) -> Figure | None:
 def _facet(ax: Axes, lines: list[Line]) -> None:
     """The legend stands beside it, slowest first, as the lines do."""
     for look, row, again in lines:
-        if again and again.motion:
+        if again and again.frames:
             label = f"the same, searched again   {words.number(again.median_ms)} ms"
-            times = again.motion.by_frame
+            times = again.frames.by_frame
             ax.plot(times, color=look.colour, linestyle="--", linewidth=1.3, alpha=0.7, label=label)
         _frames(ax, look, row)
-    warmup = min(row.motion.warmup for _, row, _ in lines if row.motion)
+    warmup = min(row.frames.warmup for _, row, _ in lines)
     if warmup:
         ax.axvspan(-0.5, warmup - 0.5, color=style.APART_FILL, zorder=0, linewidth=0)
-    ax.set_xlim(-0.5, max(len(row.motion.by_frame) for _, row, _ in lines if row.motion) - 0.5)
+    ax.set_xlim(-0.5, max(len(row.frames.by_frame) for _, row, _ in lines) - 0.5)
     ax.xaxis.set_major_locator(MaxNLocator(12, integer=True))
     ax.set_xlabel("frame")
     facets.logarithmic(ax, "y", "time [ms]")
@@ -61,9 +71,8 @@ def _facet(ax: Axes, lines: list[Line]) -> None:
     )
 
 
-def _frames(ax: Axes, look: Look, row: Row) -> None:
-    assert row.motion is not None
-    rounds, warmup = list(zip(*row.motion.frame_ms, strict=True)), row.motion.warmup
+def _frames(ax: Axes, look: Look, row: Any) -> None:
+    rounds, warmup = list(zip(*row.frames.frame_ms, strict=True)), row.frames.warmup
     frames = list(range(len(rounds)))
     early = {"linestyle": ":", "linewidth": 1.2, "markerfacecolor": "white"}
     facets.band(ax, frames[: warmup + 1], rounds[: warmup + 1], look, **early)
