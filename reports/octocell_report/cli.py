@@ -96,7 +96,7 @@ def build(given: Namespace) -> int:
     names = page.build(
         result,
         given.output,
-        _ablation(ablation) if ablation else result if result.variants else None,
+        _ablation(ablation) if ablation else result if len(result.variants_frame) else None,
         _study(errors) if errors else _own_study(result),
         inputs=[given.result, *([ablation] if ablation else []), *errors],
     )

@@ -18,7 +18,7 @@ import numpy as np
 import pandas as pd
 
 from octocell_report import words
-from octocell_report.load import Result, Row
+from octocell_report.load import Result
 from octocell_report.spread import LEAST_ROUNDS, SHARE, drawn_medians, middle
 
 # What the rows of both files may be called, and how the summary counts them.
@@ -110,7 +110,7 @@ def report(old: Result, new: Result, threshold: float) -> tuple[list[str], bool]
     for verdict in ("slower", "faster"):
         rows = both[both["verdict"] == verdict]
         lines += ["", f"{verdict}: {len(rows) or 'none'}", *_table(rows)]
-    rows_of = [{row.name: row for row in result.rows} for result in (old, new)]
+    rows_of = [{r.name: r for r in result.frame.itertuples()} for result in (old, new)]
     changed = both.loc[both["verdict"] == "changed", "name"]
     told = [f"{name}: {' -> '.join(_word(rows[name]) for rows in rows_of)}" for name in changed]
     other = both.loc[both["verdict"] == "other scene", "name"]
@@ -125,7 +125,7 @@ def _listed(title: str, lines: Sequence[str]) -> list[str]:
     return ["", f"{title}: {len(lines)}", *(f"  {line}" for line in lines)] if len(lines) else []
 
 
-def _word(row: Row) -> str:
+def _word(row: Any) -> str:
     """Its status, and what there is to say of it."""
     if row.status == "skipped":
         return f"skipped ({words.short_reason(row.reason, 40)})"

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -83,22 +84,22 @@ class Look:
 
 def looks(result: Result) -> dict[str, Look]:
     """By label, in table order: the same for one implementation in every plot of one report."""
-    titles, bases = words.titles(result), _bases(result)
+    impls = result.frame.drop_duplicates("label").sort_values("order")
+    titles, bases = words.titles(result), _bases(impls["backend"].unique())
     met: Counter[str] = Counter()
     found = {}
-    for index, (impl, label) in enumerate(result.labels.items()):
-        base = bases[impl.backend]
-        shade = _SHADES[met[impl.backend] % len(_SHADES)]
+    for index, (backend, label) in enumerate(zip(impls["backend"], impls["label"], strict=True)):
+        base = bases[backend]
+        shade = _SHADES[met[backend] % len(_SHADES)]
         line = _LINES[met[base] % len(_LINES)]
         marker = MARKERS[index % len(MARKERS)]
-        found[label] = Look(titles[impl], darker(base, shade), marker, line)
-        met.update((impl.backend, base))
+        found[label] = Look(titles[label], darker(base, shade), marker, line)
+        met.update((backend, base))
     return found
 
 
-def _bases(result: Result) -> dict[str, str]:
+def _bases(backends: Iterable[str]) -> dict[str, str]:
     """The colour of each backend; others than ours share one if there are too many."""
-    backends = dict.fromkeys(impl.backend for impl in result.impls)
     ours = {backend: _OURS[backend] for backend in backends if backend in _OURS}
     left = [colour for colour in COLOURS if colour not in ours.values()]
     others = [backend for backend in backends if backend not in ours]

@@ -5,10 +5,13 @@ from __future__ import annotations
 
 import math
 import textwrap
+from typing import Any
 
 import pandas as pd
 
-from octocell_report.load import Impl, Place, Result, Row
+from octocell_report.load import Place, Result
+
+Row = Any  # a line of a Result's frame
 
 THIN = "\u202f"  # narrow space between groups of digits; no line breaks there
 MINUS = "\u2212"
@@ -127,21 +130,11 @@ def short_reason(reason: str | None, width: int) -> str:
     return textwrap.shorten(text, width, placeholder="…")
 
 
-def labels(result: Result) -> dict[Impl, str]:
-    """One label per implementation, as short as it can be while no two are the same."""
-    return result.labels
-
-
-def variant(row: Row) -> str:
-    """'impl_cpu planned, no_sort': a variant of the plan is no implementation of its own."""
-    threads = f" ({row.impl.threads} threads)" if row.impl.threads != 1 else ""
-    return f"{row.impl.backend} {row.impl.method}{threads}, {row.skips}"
-
-
-def titles(result: Result) -> dict[Impl, str]:
-    """Labels that also say which implementations are negative controls."""
-    shown = {row.impl for row in result.rows if row.negative_control}
+def titles(result: Result) -> dict[str, str]:
+    """By label, in table order: one that also says which implementations are negative controls."""
+    rows = result.frame.sort_values("order", kind="stable")
+    controls = rows.groupby("label", sort=False)["negative_control"].any()
     return {
-        impl: f"{label} (negative control)" if impl in shown else label
-        for impl, label in labels(result).items()
+        label: f"{label} (negative control)" if shown else label
+        for label, shown in controls.items()
     }

@@ -31,10 +31,9 @@ def draw(result: Result, looks: dict[str, Look]) -> Figure | None:
     wrong = frame[frame["status"] == "wrong"]
     if wrong.empty:
         return None
-    titles = dict(zip(result.impls, (look.label for look in looks.values()), strict=True))
     scenes = [scene for scene in result.scenes if (wrong["scene"] == scene).any()]
     bands = [scenes[at : at + _ACROSS] for at in range(0, len(scenes), _ACROSS)]
-    impls = [impl for place, impl in enumerate(result.impls) if (wrong["order"] == place).any()]
+    impls = [label for label in looks if (wrong["label"] == label).any()]
     lines = len(impls) + 1
     figure, axes = plt.subplots(
         len(bands),
@@ -45,12 +44,12 @@ def draw(result: Result, looks: dict[str, Look]) -> Figure | None:
     )
     for ax, band in zip(axes[:, 0], bands, strict=True):
         for y, impl in enumerate(impls):
-            of_impl = frame[frame["order"] == result.impls.index(impl)]
+            of_impl = frame[frame["label"] == impl]
             for x, scene in enumerate(band):
                 _cell(ax, x, y, 1, *_state(of_impl[of_impl["scene"] == scene]))
-        others = len(result.impls) - len(impls)
+        others = len(looks) - len(impls)
         _cell(ax, 0, len(impls), len(band), "exact", "exact wherever they ran" if others else "")
-        names = [*(titles[impl] for impl in impls), f"{others} others"]
+        names = [*(looks[impl].label for impl in impls), f"{others} others"]
         _frame(ax, band, names, len(bands[0]))
     figure.suptitle(
         f"Wrong answers: {words.MINUS}missed +invented ×twice, the worst of each scene's sizes",
