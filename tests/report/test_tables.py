@@ -121,7 +121,7 @@ def test_labels_are_short_and_never_the_same():
         row(method="brute_force", rule=None),
         row("bullet_dbvt", None, None),
     )
-    assert list(words.labels(result).values()) == [
+    assert list(result.frame["label"]) == [
         "impl_cpu home_phantom/lowest_cell",
         "impl_cpu half_shell/lowest_cell",
         "impl_cpu home_phantom/lowest_cell (2 threads)",
