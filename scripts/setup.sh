@@ -11,6 +11,7 @@ packages=(
   g++ cmake ninja-build ccache pkg-config git
   libfmt-dev nlohmann-json3-dev libcli11-dev
   libboost-dev    # Asio's thread pool (headers)
+  zlib1g-dev      # files that gzip packed
 )
 [ "$developer" = OFF ] || packages+=(
   libbenchmark-dev libgtest-dev

@@ -7,16 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "harness/files/load_options.hpp"
+
 namespace octocell::bench {
 
 struct BenchOptions {
-  std::string preset = "quick";      // a name of choose_groups(): scenes, sizes and rounds
-  std::vector<std::string> scenes;   // instead of the preset's
-  std::optional<std::string> flags;  // a file with the flags of the one scene given
-  std::string motion;                // sets those scenes in motion
-  std::string trajectory;            // a folder of frames, *.npy
-  int frames = 20;                   // for a motion
-  bool round_input = false;          // accepts float64 files, and reports what rounding changed
+  std::string preset = "quick";     // a name of choose_groups(): scenes, sizes and rounds
+  std::vector<std::string> scenes;  // instead of the preset's
+  LoadOptions load;                 // for these scenes; flags belong to exactly one
+  std::string motion;               // sets those scenes in motion
+  std::string trajectory;           // a folder of frames, *.npy
+  int frames = 20;                  // for a motion
   std::string backend = "all";
   std::string output = "reports/out/bench.json";
   std::string filter;         // regular expression on row names; empty: all
@@ -41,8 +42,7 @@ int run_bench(const BenchOptions& options);
 /// {"peak_bytes": growth of resident memory beyond the scene itself, "output_bytes": 8 a pair}.
 struct MemoryOptions {
   std::string scene;
-  std::optional<std::string> flags;  // a separate file
-  bool round_input = false;
+  LoadOptions load;
   std::string row;  // Implementation::label()
   int threads = 1;
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "harness/bench/bench.hpp"
+#include "harness/files/load_options.hpp"
 #include "harness/scenes/motion.hpp"
 #include "harness/scenes/scene.hpp"
 
@@ -28,18 +29,17 @@ enum class Rows : std::uint8_t {
 
 /// Rows that are interleaved: one scene at one size.
 struct Group {
-  std::string scene;                      // label: generator or file stem
-  std::uint64_t n = 0;                    // spheres
-  std::string argument;                   // for load_or_generate()
-  std::optional<std::string> flags = {};  // a separate file with its flags
+  std::string scene;                  // label: generator or file stem
+  std::uint64_t n = 0;                // spheres
+  std::string argument;               // for load_or_generate()
+  LoadOptions load = {};              // for load_or_generate()
   bool without_flags = false;         // flags decide which spheres move, but no finder gets them
   std::string unavailable = {};       // why a real scene is missing; empty if it is not
   std::optional<Motion> motion = {};  // if the group moves
   std::string trajectory = {};        // or the folder with its frames
   int frames = 1;
-  bool real = false;             // a file downloaded at set-up, which may be missing
+  bool real = false;             // a downloaded file, which may be missing
   std::string scene_class = {};  // for preset error: random, structured, extreme
-  bool round_input = false;      // also reports what rounding from float64 changed
   int rounds = 5;
   std::optional<int> baseline_rounds = {};  // fewer rounds for baselines, spread over the others
   Rows rows = Rows::every;
@@ -49,6 +49,12 @@ struct Group {
     return baseline ? baseline_rounds.value_or(rounds) : rounds;
   }
 };
+
+/// Returns the group of one scene, loaded once to learn its size.
+Group group_of_scene(const std::string& argument, const LoadOptions& options = {});
+
+/// Returns the group of a folder of frames, which is marked unavailable if they cannot be loaded.
+Group group_of_trajectory(const std::string& folder, int rounds);
 
 /// The spheres of a group, frame by frame; a single frame if nothing moves.
 struct Footage {

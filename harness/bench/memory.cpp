@@ -77,8 +77,7 @@ std::optional<std::uint64_t> peak_bytes(const RowSpec& row, const Group& group) 
   std::vector<std::string> arguments = {"measure-memory", group.argument,
                                         "--row",          row.how.label(),
                                         "--threads",      std::to_string(row.threads)};
-  if (group.round_input) arguments.push_back("--round-input");
-  if (group.flags) arguments.insert(arguments.end(), {"--flags", *group.flags});
+  std::ranges::copy(words_of(group.load), std::back_inserter(arguments));
   const std::string output = output_of_self(arguments);
   const nlohmann::json json = nlohmann::json::parse(output, nullptr, false);
   if (!json.is_object() || !json.contains("peak_bytes")) return std::nullopt;
@@ -90,8 +89,7 @@ int run_memory_child(const MemoryOptions& options) {
   std::ranges::copy(other_predicates(), std::back_inserter(all));
   const auto row = std::ranges::find(all, options.row, &Implementation::label);
   if (row == all.end()) throw InputError(fmt::format("unknown row '{}'", options.row));
-  const Scene scene =
-      load_or_generate(options.scene, {.flags = options.flags, .round_input = options.round_input});
+  const Scene scene = load_or_generate(options.scene, options.load);
   malloc_trim(0);
   const std::uint64_t before = status_bytes("VmRSS");
   forget_peak();

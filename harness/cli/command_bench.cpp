@@ -7,6 +7,7 @@
 #include "harness/bench/bench.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/cli/names.hpp"
+#include "harness/cli/scene_options.hpp"
 #include "harness/scenes/motion.hpp"
 
 namespace octocell::cli {
@@ -17,8 +18,7 @@ void add_memory_child(CLI::App& app, Command& command) {
   CLI::App* sub = app.add_subcommand("measure-memory", "One run for the bench's memory column");
   sub->group("");  // hidden from the help: only the bench calls it
   sub->add_option("SCENE", o->scene)->required();
-  sub->add_option("--flags", o->flags);
-  sub->add_flag("--round-input", o->round_input);
+  add_scene_options(*sub, o->load);
   sub->add_option("--row", o->row)->required();
   sub->add_option("--threads", o->threads);
   sub->callback([&command, o] { command = [o] { return bench::run_memory_child(*o); }; });
@@ -32,10 +32,9 @@ void add_bench(CLI::App& app, Command& command) {
   CLI::App* sub = app.add_subcommand(
       "bench", "Time every implementation; Google Benchmark's flags (--benchmark_...) work, too");
   sub->add_option("SCENE", o->scenes, "Scenes to time instead of a preset's");
-  sub->add_option("--flags", o->flags, kFlagsHelp);
-  sub->add_flag("--round-input", o->round_input, kRoundInputHelp);
+  add_scene_options(*sub, o->load);
   sub->add_option("--preset", o->preset,
-                  "quick (minutes, default), full (an hour), gpu, frames, ablation or error");
+                  "quick (minutes, default), full (an hour), gpu, frames, ablation, error or real");
   sub->add_option("--backend", o->backend, "A backend, a baseline, or all");
   sub->add_option("--motion", o->motion,
                   fmt::format("Move those scenes: {}", fmt::join(kMotionNames, ", ")));

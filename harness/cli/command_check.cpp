@@ -16,10 +16,10 @@
 
 #include "harness/cli/commands.hpp"
 #include "harness/cli/names.hpp"
+#include "harness/cli/scene_options.hpp"
 #include "harness/engine/find_completely.hpp"
 #include "harness/engine/isolate.hpp"
 #include "harness/engine/registry.hpp"
-#include "harness/files/load.hpp"
 #include "harness/scenes/scenes.hpp"
 #include "harness/verify/reference/reference.hpp"
 
@@ -29,7 +29,7 @@ namespace {
 struct Options {
   std::vector<std::string> scenes;
   std::string backend = "all";
-  std::optional<std::string> flags;
+  LoadOptions load;
   int threads = 0;
   double candidate_limit = 2e10;
   double timeout = 60.0;  // seconds
@@ -188,12 +188,12 @@ Limits limits_of(const Options& options) {
 int check(const Options& options) {
   const std::vector<Implementation> rows = implementations(options.backend);
   const Limits limits = limits_of(options);
-  if (options.flags && options.scenes.size() != 1) {
+  if (options.load.flags && options.scenes.size() != 1) {
     throw InputError("--flags belongs to one scene: name exactly one");
   }
   int totals[5] = {};
   for (const std::string& argument : scenes_or_default(options)) {
-    const Scene scene = load_or_generate(argument, {.flags = options.flags});
+    const Scene scene = load_and_say(argument, options.load);
     const std::vector<Pair> truth = reference::exact_pairs(scene);
     fmt::print("{} ({} spheres, {} pairs)\n", scene.spec, scene.spheres.size(), truth.size());
     for (const Implementation& how : rows) {
@@ -218,7 +218,7 @@ void add_check(CLI::App& app, Command& command) {
   CLI::App* sub =
       app.add_subcommand("check", "Compare every implementation with the exact pair set");
   sub->add_option("SCENE", o->scenes, "Files or generators (default: every generator, small)");
-  sub->add_option("--flags", o->flags, kFlagsHelp);
+  add_scene_options(*sub, o->load);
   sub->add_option("--backend", o->backend, "A backend, a baseline, or all");
   sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
   sub->add_option("--candidate-limit", o->candidate_limit,

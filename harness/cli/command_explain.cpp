@@ -13,11 +13,11 @@
 #include "harness/cli/commands.hpp"
 #include "harness/cli/names.hpp"
 #include "harness/cli/own_choices.hpp"
+#include "harness/cli/scene_options.hpp"
 #include "harness/engine/find_completely.hpp"
 #include "harness/engine/median.hpp"
 #include "harness/engine/registry.hpp"
 #include "harness/files/json_text.hpp"
-#include "harness/files/load.hpp"
 #include "harness/scenes/scenes.hpp"
 
 namespace octocell::cli {
@@ -28,6 +28,7 @@ constexpr int kRounds = 15;
 struct Options {
   std::string scene;
   std::string backend = "impl_cpu";
+  LoadOptions load;
   OwnChoices own;
   int threads = 0;
   bool analyze = false;
@@ -121,7 +122,7 @@ PlanOptions plan_options(const Options& options) {
 
 int explain_scene(const Options& options) {
   const PlanOptions asked = plan_options(options);
-  const Scene scene = load_or_generate(options.scene);
+  const Scene scene = load_and_say(options.scene, options.load);
   const SceneStats stats = measure(scene.view());
   const BackendInfo& backend = backend_named(options.backend);
   Candidate planned(backend, scene.view(), asked);
@@ -143,8 +144,8 @@ void add_explain(CLI::App& app, Command& command) {
   auto o = std::make_shared<Options>();
   CLI::App* sub =
       app.add_subcommand("explain", "Explain what a scene needs, what it does not need, and why");
-  sub->add_option("SCENE", o->scene, "A file (.npy, .csv, .pqr) or a generator: gas:n=1e5,seed=7")
-      ->required();
+  sub->add_option("SCENE", o->scene, kSceneHelp)->required();
+  add_scene_options(*sub, o->load);
   sub->add_option("--backend", o->backend, "A backend; see 'octocell list'");
   add_own_choices(*sub, o->own);
   sub->add_option("--threads", o->threads, "Threads; 0 (default): all");

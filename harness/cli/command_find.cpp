@@ -18,10 +18,10 @@
 #include "harness/cli/named_files.hpp"
 #include "harness/cli/names.hpp"
 #include "harness/cli/own_choices.hpp"
+#include "harness/cli/scene_options.hpp"
 #include "harness/engine/find_completely.hpp"
 #include "harness/engine/registry.hpp"
 #include "harness/files/json_text.hpp"
-#include "harness/files/load.hpp"
 #include "harness/files/save.hpp"
 #include "harness/scenes/scenes.hpp"
 #include "harness/verify/reference/reference.hpp"
@@ -34,7 +34,7 @@ struct Options {
   std::string backend = "impl_cpu";
   std::string predicate;
   OwnChoices own;
-  std::optional<std::string> flags;
+  LoadOptions load;
   std::optional<std::string> output;
   std::optional<std::string> depth;
   int threads = 0;
@@ -42,7 +42,6 @@ struct Options {
   bool count = false;
   bool json = false;
   bool explain = false;
-  bool round_input = false;
 };
 
 Implementation chosen_implementation(const Options& options) {
@@ -171,7 +170,7 @@ void check_outputs(const Options& options) {
     throw InputError("--count keeps no pairs, so there are no depths to write or to check");
   }
   NamedFiles files;
-  files.read_scene(options.scene, options.flags);
+  files.read_scene(options.scene, options.load.flags);
   files.write("--output", options.output);
   files.write("--depth", options.depth);
   files.require_separate();
@@ -196,13 +195,12 @@ std::optional<reference::DepthErrors> use_pairs(const Options& options, const Sc
 }
 
 int find(const Options& options) {
-  if (options.round_input || options.depth_check) reference::require_available();
+  if (options.load.round_input || options.depth_check) reference::require_available();
   check_outputs(options);
   const Implementation how = chosen_implementation(options);
   PlanOptions plan_options = plan_options_of(how, options.own, options.threads);
   plan_options.count_only = options.count;
-  const Scene scene =
-      load_or_generate(options.scene, {.flags = options.flags, .round_input = options.round_input});
+  const Scene scene = load_and_say(options.scene, options.load);
   const std::unique_ptr<PairFinder> finder = how.backend->create();
   const Outcome outcome = find_completely(*finder, scene.view(), plan_options);
   say_if_threads_lack(outcome.plan, outcome.counts);
@@ -233,9 +231,8 @@ int find(const Options& options) {
 void add_find(CLI::App& app, Command& command) {
   auto o = std::make_shared<Options>();
   CLI::App* sub = app.add_subcommand("find", "Find every overlapping pair of a scene");
-  sub->add_option("SCENE", o->scene, "A file (.npy, .csv, .pqr) or a generator: gas:n=1e5,seed=7")
-      ->required();
-  sub->add_option("--flags", o->flags, kFlagsHelp);
+  sub->add_option("SCENE", o->scene, kSceneHelp)->required();
+  add_scene_options(*sub, o->load);
   sub->add_option("--backend", o->backend, "A backend or a baseline; see 'octocell list'");
   add_own_choices(*sub, o->own);
   sub->add_option("--predicate", o->predicate, kPredicateHelp);
@@ -248,7 +245,6 @@ void add_find(CLI::App& app, Command& command) {
   sub->add_flag("--count", o->count, "Print only count and checksum; needs no memory for pairs");
   sub->add_flag("--json", o->json, "Print JSON");
   sub->add_flag("--explain", o->explain, "Print the plan's decisions on stderr");
-  sub->add_flag("--round-input", o->round_input, kRoundInputHelp);
   sub->callback([&command, o] { command = [o] { return find(*o); }; });
 }
 

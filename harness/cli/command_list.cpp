@@ -8,6 +8,7 @@
 
 #include "harness/cli/commands.hpp"
 #include "harness/engine/registry.hpp"
+#include "harness/files/format.hpp"
 #include "harness/scenes/scenes.hpp"
 
 namespace octocell::cli {
@@ -46,7 +47,7 @@ int list() {
              fmt::join(kRuleNames, ", "));
   fmt::print("\nbaselines\n");
   list_backends(Kind::baseline);
-  fmt::print("\nscenes (NAME or NAME:parameter=value,...; or a file: .npy, .csv, .pqr)\n");
+  fmt::print("\nscenes (NAME or NAME:parameter=value,...; or a file: {})\n", kOwnSuffixes);
   list_scenes();
   return 0;
 }

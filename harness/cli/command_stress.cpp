@@ -170,6 +170,10 @@ int run_stress(const Options& options) {
       fmt::print("{:<4} {:<52} not run: {}\n", entry.id, entry.name, entry.not_run);
       continue;
     }
+    if (entry.at(size) == 0) {
+      fmt::print("{:<4} {:<52} left out at size {}\n", entry.id, entry.name, options.size);
+      continue;
+    }
     const std::vector<Row> found = run_entry(entry, size, all, limits, bench::interrupted);
     print_rows(entry, found);
     rows.insert(rows.end(), found.begin(), found.end());

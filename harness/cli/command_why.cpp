@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 
 #include "core/error.hpp"
@@ -12,9 +11,9 @@
 #include "harness/cli/commands.hpp"
 #include "harness/cli/names.hpp"
 #include "harness/cli/own_choices.hpp"
+#include "harness/cli/scene_options.hpp"
 #include "harness/engine/registry.hpp"
 #include "harness/files/json_text.hpp"
-#include "harness/files/load.hpp"
 #include "harness/scenes/scenes.hpp"
 #include "harness/trace/why.hpp"
 
@@ -26,7 +25,7 @@ struct Options {
   std::uint64_t i = 0;
   std::uint64_t j = 0;
   OwnChoices own;
-  std::optional<std::string> flags;
+  LoadOptions load;
   bool json = false;
 };
 
@@ -50,7 +49,7 @@ Implementation chosen_implementation(const Options& options) {
 
 int why_pair(const Options& options) {
   const PlanOptions asked = plan_options_of(chosen_implementation(options), options.own, 1);
-  const Scene scene = load_or_generate(options.scene, {.flags = options.flags});
+  const Scene scene = load_and_say(options.scene, options.load);
   require_pair(options, scene.spheres.size());
   const Plan plan = make_plan(measure(scene.view()), asked);
   const trace::Account account =
@@ -69,11 +68,10 @@ int why_pair(const Options& options) {
 void add_why(CLI::App& app, Command& command) {
   auto o = std::make_shared<Options>();
   CLI::App* sub = app.add_subcommand("why", "Say why a pair is found, or is not");
-  sub->add_option("SCENE", o->scene, "A file (.npy, .csv, .pqr) or a generator: gas:n=1e5,seed=7")
-      ->required();
+  sub->add_option("SCENE", o->scene, kSceneHelp)->required();
   sub->add_option("I", o->i, "The number of a sphere, from 0")->required();
   sub->add_option("J", o->j, "The number of another")->required();
-  sub->add_option("--flags", o->flags, kFlagsHelp);
+  add_scene_options(*sub, o->load);
   add_own_choices(*sub, o->own);
   sub->add_flag("--json", o->json, "Print JSON");
   sub->callback([&command, o] { command = [o] { return why_pair(*o); }; });

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "harness/files/file_identity.hpp"
+#include "harness/files/input_file.hpp"
 #include "harness/files/load.hpp"
 #include "harness/scenes/scenes.hpp"
 
@@ -18,7 +19,10 @@ namespace octocell::cli {
 class NamedFiles {
  public:
   void read_scene(std::string_view argument, const std::optional<std::string>& flags = {}) {
-    if (auto path = file_of(argument)) inputs_.push_back({"SCENE", std::move(*path)});
+    if (auto path = file_of(argument)) {
+      if (*path == kStandardInput) *path = "/dev/stdin";
+      inputs_.push_back({"SCENE", std::move(*path)});
+    }
     if (flags) inputs_.push_back({"--flags", *flags});
   }
   void write(std::string_view option, const std::optional<std::string>& path) {

@@ -110,13 +110,6 @@ inline void require_used(Skips forced, Skips used) {
   }
 }
 
-inline constexpr const char* kFlagsHelp =
-    "NPY file with flags, (N,): uint32 words, or bool: which spheres are static";
-
-inline constexpr const char* kRoundInputHelp =
-    "Accept a float64 NPY and round it to float32; report how rounding a file or a generator "
-    "changes the pairs";
-
 inline constexpr int kMaxThreads = 1024;
 
 /// Returns the number of threads; 0 means all hardware threads.

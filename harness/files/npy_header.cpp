@@ -118,10 +118,14 @@ class DictionaryReader {
   std::vector<std::string> seen_;
 };
 
+void read_part(InputFile& file, std::span<std::byte> bytes) {
+  if (file.read(bytes) < bytes.size()) file.refuse("truncated: the NPY header is not complete");
+}
+
 /// Reads a little-endian number.
 std::size_t read_number(InputFile& file, std::size_t byte_count) {
   std::byte bytes[4] = {};
-  file.read(std::span(bytes).first(byte_count));
+  read_part(file, std::span(bytes).first(byte_count));
   std::size_t number = 0;
   for (std::size_t k = 0; k < byte_count; ++k) {
     number |= std::to_integer<std::size_t>(bytes[k]) << (8 * k);
@@ -130,12 +134,23 @@ std::size_t read_number(InputFile& file, std::size_t byte_count) {
 }
 
 void expect_magic(InputFile& file) {
-  std::string magic(std::min<std::uint64_t>(kMagic.size(), file.size()), '\0');
-  file.read(std::as_writable_bytes(std::span(magic)));
+  const std::string_view magic = file.beginning().substr(0, kMagic.size());
   if (magic != kMagic) {
     file.refuse(fmt::format("not an NPY file: it begins with {}, expected {}", quote(magic),
                             quote(kMagic)));
   }
+  std::byte passed_over[kMagic.size()];
+  read_part(file, passed_over);
+}
+
+[[noreturn]] void refuse_size(const InputFile& file, const NpyHeader& header, std::uint64_t needed,
+                              std::string_view what, std::string_view has) {
+  file.refuse(
+      fmt::format("{}: shape {} needs {} bytes, {}", what, header.shape_text(), needed, has));
+}
+
+std::uint64_t bytes_needed(const NpyHeader& header, std::size_t bytes_per_row) {
+  return header.data_offset + header.shape[0] * bytes_per_row;
 }
 
 }  // namespace
@@ -151,7 +166,6 @@ std::string NpyHeader::shape_text() const {
 NpyHeader read_npy_header(InputFile& file) {
   expect_magic(file);
   const std::size_t version_end = kMagic.size() + kVersionBytes;
-  if (file.size() < version_end + 2) file.refuse("truncated: the NPY header is not complete");
   const std::size_t major = read_number(file, 1);
   const std::size_t minor = read_number(file, 1);
   if (major < 1 || major > 3 || minor != 0) {
@@ -159,28 +173,33 @@ NpyHeader read_npy_header(InputFile& file) {
   }
   const std::size_t length_bytes = major == 1 ? 2 : 4;
   const std::size_t dictionary_begin = version_end + length_bytes;
-  if (file.size() < dictionary_begin) file.refuse("truncated: the NPY header is not complete");
   const std::size_t length = read_number(file, length_bytes);
   if (length > kLongestDictionary) {
     file.refuse(fmt::format("NPY header of {} bytes (at most {})", length, kLongestDictionary));
   }
-  if (file.size() < dictionary_begin + length) {
-    file.refuse(fmt::format("truncated: the NPY header needs {} bytes, the file has {}",
-                            dictionary_begin + length, file.size()));
-  }
   std::string dictionary(length, '\0');
-  file.read(std::as_writable_bytes(std::span(dictionary)));
+  read_part(file, std::as_writable_bytes(std::span(dictionary)));
   NpyHeader header = DictionaryReader(dictionary, file).read();
   header.data_offset = dictionary_begin + length;
   return header;
 }
 
 void check_npy_size(const InputFile& file, const NpyHeader& header, std::size_t bytes_per_row) {
-  const std::uint64_t needed = header.data_offset + header.shape[0] * bytes_per_row;
-  if (file.size() == needed) return;
-  file.refuse(fmt::format("{}: shape {} needs {} bytes, the file has {}",
-                          file.size() < needed ? "truncated" : "too long", header.shape_text(),
-                          needed, file.size()));
+  const std::uint64_t needed = bytes_needed(header, bytes_per_row);
+  if (!file.size() || *file.size() == needed) return;
+  refuse_size(file, header, needed, *file.size() < needed ? "truncated" : "too long",
+              fmt::format("the file has {}", *file.size()));
+}
+
+void check_npy_end(InputFile& file, const NpyHeader& header, std::size_t bytes_per_row,
+                   std::uint64_t bytes_read) {
+  const std::uint64_t needed = bytes_needed(header, bytes_per_row);
+  const std::uint64_t had = header.data_offset + bytes_read;
+  std::byte one_more = {};
+  if (had < needed) refuse_size(file, header, needed, "truncated", fmt::format("it has {}", had));
+  if (file.read({&one_more, 1}) == 1) {
+    refuse_size(file, header, needed, "too long", "more follow");
+  }
 }
 
 std::string npy_header_bytes(std::string_view descr, std::string_view shape) {

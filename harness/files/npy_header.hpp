@@ -3,6 +3,7 @@
 // length, and a Python dictionary as text.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -27,16 +28,31 @@ struct NpyHeader {
 /// Reads up to the first number. Throws InputError that says what was found and what was expected.
 NpyHeader read_npy_header(InputFile& file);
 
-/// Throws InputError if the file is shorter or longer than that many bytes per row require.
+/// Throws InputError if the file is known to be shorter or longer than that many bytes per row
+/// require.
 void check_npy_size(const InputFile& file, const NpyHeader& header, std::size_t bytes_per_row);
 
-/// Reads the rows behind the header without conversion.
+/// Does the same after reading, for files of unknown size. `bytes_read` counts behind the header.
+void check_npy_end(InputFile& file, const NpyHeader& header, std::size_t bytes_per_row,
+                   std::uint64_t bytes_read);
+
+/// Reads the rows behind the header without conversion. If the file's size is unknown, memory grows
+/// with what was read, because a header can claim anything.
 template <typename Row>
 std::vector<Row> read_npy_rows(InputFile& file, const NpyHeader& header) {
   check_npy_size(file, header, sizeof(Row));
-  require_memory(static_cast<double>(header.shape[0]) * sizeof(Row), file.path());
-  std::vector<Row> rows(header.shape[0]);
-  file.read(std::as_writable_bytes(std::span(rows)));
+  constexpr std::uint64_t kAtOnce = (std::uint64_t{64} << 20) / sizeof(Row);
+  const std::uint64_t count = header.shape[0];
+  std::vector<Row> rows;
+  std::uint64_t bytes_read = 0;
+  while (rows.size() < count && bytes_read == rows.size() * sizeof(Row)) {
+    const std::uint64_t known = file.size() ? count : rows.size() + kAtOnce;
+    const std::size_t begin = rows.size();
+    require_memory(static_cast<double>(std::min(known, count) - begin) * sizeof(Row), file.path());
+    rows.resize(std::min(known, count));
+    bytes_read += file.read(std::as_writable_bytes(std::span(rows).subspan(begin)));
+  }
+  check_npy_end(file, header, sizeof(Row), bytes_read);
   return rows;
 }
 

@@ -31,18 +31,14 @@ struct Scene {
                      // path
   std::vector<Sphere> spheres;
   std::vector<Flags> flags;  // one a sphere, or empty
-  /// The float64 numbers of the file or the generator before they were rounded to float32; only
-  /// with LoadOptions::round_input.
+  /// The float64 numbers of the file or the generator before they were rounded to float32; only if
+  /// the caller asked for them.
   std::optional<std::vector<DoubleSphere>> unrounded;
 
-  [[nodiscard]] SceneView view() const { return {spheres, flags}; }
-};
+  /// What the reader assumed or left out, one line each, for the user to see.
+  std::vector<std::string> notes = {};
 
-struct LoadOptions {
-  std::optional<std::string> flags = {};  // path of a separate NPY file with flags
-  /// Accepts float64 arrays and rounds them to float32. Stores them, or the float64 numbers that a
-  /// generator rounds, in Scene::unrounded.
-  bool round_input = false;
+  [[nodiscard]] SceneView view() const { return {spheres, flags}; }
 };
 
 }  // namespace octocell

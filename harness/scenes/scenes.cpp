@@ -96,15 +96,14 @@ const SceneInfo& scene_named(std::string_view name) {
     if (scene.name == name) return scene;
     known += fmt::format("{}{}", known.empty() ? "" : ", ", scene.name);
   }
-  throw InputError(fmt::format("no scene and no file {}; scenes: {}; files: .npy, .csv, .pqr",
-                               quote(name), known));
+  throw InputError(fmt::format("no scene and no file {}; scenes: {}", quote(name), known));
 }
 
 }  // namespace
 
 std::span<const SceneInfo> scenes() { return kScenes; }
 
-Scene generate(std::string_view spec, const LoadOptions& options) {
+Scene generate(std::string_view spec, Unrounded unrounded) {
   const std::size_t colon = spec.find(':');
   SceneInfo info = scene_named(spec.substr(0, colon));
   std::vector<ParameterInfo> all(info.parameters.begin(), info.parameters.end());
@@ -116,11 +115,11 @@ Scene generate(std::string_view spec, const LoadOptions& options) {
   scene.name = info.name;
   scene.spec = fmt::format("{}:{}", info.name, parameters.spelt_out());
   const double count = static_cast<double>(parameters.whole("n"));
-  const double bytes = sizeof(Sphere) + (options.round_input ? sizeof(DoubleSphere) : 0);
+  const double bytes = sizeof(Sphere) + (unrounded == Unrounded::keep ? sizeof(DoubleSphere) : 0);
   require_memory(count * bytes, scene.spec);
   try {
     scene.spheres = info.make(parameters);
-    if (options.round_input) scene.unrounded = info.make_unrounded(parameters);
+    if (unrounded == Unrounded::keep) scene.unrounded = info.make_unrounded(parameters);
     scene.flags = make_scene_flags(parameters, scene.spheres.size());
   } catch (const std::bad_alloc&) {
     throw LimitError(fmt::format("scene {}: not enough memory for the spheres", scene.spec));

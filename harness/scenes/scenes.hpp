@@ -41,9 +41,12 @@ std::span<const SceneInfo> scenes();
 /// Returns the parameters that every generator has in addition: static, groups.
 std::span<const ParameterInfo> flag_parameters();
 
+/// Whether Scene::unrounded keeps the float64 numbers that a generator rounds.
+enum class Unrounded : bool { forget, keep };
+
 /// Makes a scene. `spec` is `name` or `name:parameter=value,...`. The same spec gives the same bits
 /// on every machine, with every compiler and every flag (but -ffast-math is refused). Throws
 /// InputError, which lists what is known, and LimitError if there is not enough memory.
-Scene generate(std::string_view spec, const LoadOptions& options = {});
+Scene generate(std::string_view spec, Unrounded unrounded = Unrounded::forget);
 
 }  // namespace octocell

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "harness/files/leave_out.hpp"
 #include "harness/files/load_formats.hpp"
 
 namespace octocell::fuzz {
@@ -58,18 +59,35 @@ void try_reader(const char* reader, const std::string& path, Load load) {
   }
 }
 
-std::vector<Sphere> csv(InputFile& file) {
-  Scene scene;
-  load_csv(file, scene);
-  if (!scene.flags.empty() && scene.flags.size() != scene.spheres.size()) {
-    fail("csv", "flags of some spheres only");
-  }
-  return scene.spheres;
-}
+using Load = void (*)(InputFile&, const LoadOptions&, Scene&);
 
-std::vector<Sphere> npy(InputFile& file, bool round_input) {
+struct Reader {
+  const char* name;
+  Load load;
+  LoadOptions options = {};
+};
+
+const Reader kReaders[] = {
+    {"table", load_table},
+    {"table, points", load_table, {.radius = 1.0F}},
+    {"table, named columns", load_table, {.columns = "id,x,y,z,r"}},
+    {"table, decimal comma", load_table, {.decimal_comma = true}},
+    {"table, valid rows", load_table, {.drop_invalid = true}},
+    {"pqr", load_pqr},
+    {"pqr, second frame", load_pqr, {.frame = 1}},
+    {"npy", load_npy},
+    {"npy, rounding", load_npy, {.round_input = true}},
+    {"npy, points", load_npy, {.round_input = true, .radius = 1.0F}},
+    {"npy, valid rows", load_npy, {.round_input = true, .drop_invalid = true}},
+};
+
+std::vector<Sphere> spheres_of(const Reader& reader, InputFile& file) {
   Scene scene;
-  load_npy(file, {.round_input = round_input}, scene);
+  reader.load(file, reader.options, scene);
+  if (!scene.flags.empty() && scene.flags.size() != scene.spheres.size()) {
+    fail(reader.name, "flags of some spheres only");
+  }
+  if (reader.options.drop_invalid) leave_out_invalid(scene);
   return scene.spheres;
 }
 
@@ -80,9 +98,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace octocell;
   const fuzz::MemoryFile file(data, size);
   const std::string path = file.path();
-  fuzz::try_reader("csv", path, fuzz::csv);
-  fuzz::try_reader("pqr", path, load_pqr);
-  fuzz::try_reader("npy", path, [](InputFile& in) { return fuzz::npy(in, false); });
-  fuzz::try_reader("npy, rounding", path, [](InputFile& in) { return fuzz::npy(in, true); });
+  for (const fuzz::Reader& reader : fuzz::kReaders) {
+    fuzz::try_reader(reader.name, path,
+                     [&reader](InputFile& in) { return fuzz::spheres_of(reader, in); });
+  }
   return 0;
 }

@@ -16,9 +16,11 @@ HEADERS = {
     "algorithm": "adjacent_find all_of any_of clamp copy copy_n count count_if equal fill fill_n find"
     " find_if includes is_sorted lower_bound max max_element merge min minmax nth_element reverse"
     " shuffle sort stable_sort transform upper_bound"
-    " ranges::all_of ranges::any_of ranges::copy ranges::count ranges::count_if ranges::equal"
-    " ranges::fill ranges::find ranges::find_if ranges::lower_bound ranges::minmax_element"
-    " ranges::none_of ranges::sort ranges::stable_partition ranges::stable_sort ranges::upper_bound",
+    " ranges::adjacent_find ranges::all_of ranges::any_of ranges::copy ranges::count"
+    " ranges::count_if ranges::equal ranges::fill ranges::find ranges::find_if"
+    " ranges::lower_bound ranges::minmax_element ranges::none_of"
+    " ranges::replace ranges::sort ranges::stable_partition"
+    " ranges::stable_sort ranges::upper_bound",
     "array": "array",
     "atomic": "atomic memory_order_relaxed",
     "bit": "bit_cast bit_width countr_zero endian has_single_bit popcount",
@@ -68,7 +70,7 @@ HEADERS = {
     "tuple": "tie tuple",
     "type_traits": "conditional_t is_default_constructible_v is_same_v",
     "unordered_map": "unordered_map",
-    "utility": "exchange move pair swap",
+    "utility": "exchange index_sequence make_index_sequence move pair swap",
     "vector": "erase erase_if vector",
 }
 HEADER_OF = {name: header for header, names in HEADERS.items() for name in names.split()}

@@ -70,7 +70,7 @@ TEST(BenchGroups, FramesAreTimedBesideTheSameSearchedAnew) {
 }
 
 TEST(BenchGroups, LabelsOfAPresetAreDistinct) {
-  for (const char* name : {"quick", "full", "gpu", "frames", "ablation", "error"}) {
+  for (const char* name : {"quick", "full", "gpu", "frames", "ablation", "error", "real"}) {
     std::set<std::pair<std::string, std::uint64_t>> labels;
     for (const Group& group : preset(name)) {
       EXPECT_TRUE(labels.emplace(group.scene, group.n).second) << name << ' ' << group.scene;

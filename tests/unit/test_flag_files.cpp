@@ -71,9 +71,8 @@ TEST_F(FlagFiles, BadColumnsAreRefusedWithTheirLine) {
   expect_csv_refusal("x,y,z,r,static\n1,2,3,4\n", ":2: 4 fields, expected 5");
   expect_csv_refusal("x,y,z,r\n1,2,3,4,1\n", ":2: 5 fields, expected 4");
   expect_csv_refusal("x,y,z,r,static,static\n1,2,3,4,1,1\n", "neither numbers nor a header");
-  expect_csv_refusal("x,y,z,static\n1,2,3,1\n", "neither numbers nor a header");
-  expect_csv_refusal("x,y,z,r,colour\n1,2,3,4,1\n", "neither numbers nor a header");
-  expect_csv_refusal("1,2,3,4,1\n", "5 fields, expected 4");
+  expect_csv_refusal("x,y,z,static\n1,2,3,1\n", "no radii in columns x,y,z,static");
+  expect_csv_refusal("1,2,3,4,1\n", "5 fields and no header");
 }
 
 TEST_F(FlagFiles, SideFilesHoldWordsOrTellStaticOnly) {

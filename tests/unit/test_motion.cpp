@@ -191,7 +191,24 @@ TEST_F(Trajectories, AreRefusedIfEmptyMissingOrOfDifferentLengths) {
   EXPECT_THROW(load_frames(path("nowhere")), InputError);
   save_scene(path("a.npy"), generate("gas:n=10").spheres);
   save_scene(path("b.npy"), generate("gas:n=11").spheres);
-  EXPECT_THROW(load_frames(folder_.string()), InputError);
+  EXPECT_THROW(load_trajectory(folder_.string()), InputError);
+}
+
+TEST_F(Trajectories, MayHoldOtherNumbersOfSpheresAsFrames) {
+  const int kCounts[] = {2, 0, 3};
+  const char* const kNames[] = {"f2.npy", "f9.npy", "f10.npy"};
+  for (int k = 0; k < 3; ++k) {
+    save_scene(path(kNames[k]), generate("gas:n=" + std::to_string(kCounts[k])).spheres);
+  }
+  const Frames frames = load_frames(folder_.string());
+  ASSERT_EQ(frames.size(), 3U);
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(frames[k].size(), kCounts[k]);
+  try {
+    load_trajectory(folder_.string());
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("f9.npy: 0 spheres"), std::string::npos);
+  }
 }
 
 }  // namespace

@@ -96,13 +96,13 @@ TEST(Scenes, AllAreValidAndHaveAsManySpheresAsAsked) {
 
 TEST(Scenes, RoundEachNumberOnceAndCanShowWhatItWas) {
   for (const SceneInfo& info : scenes()) {
-    const Scene scene = generate(std::string(info.name) + ":n=1000", {.round_input = true});
+    const Scene scene = generate(std::string(info.name) + ":n=1000", Unrounded::keep);
     ASSERT_TRUE(scene.unrounded.has_value()) << info.name;
     std::vector<Sphere> once;
     for (const DoubleSphere& s : *scene.unrounded) once.push_back(rounded(s));
     EXPECT_EQ(checksum(once), checksum(scene.spheres)) << info.name;
   }
-  const Scene far = generate("shifted:n=1000,offset=1e7", {.round_input = true});
+  const Scene far = generate("shifted:n=1000,offset=1e7", Unrounded::keep);
   EXPECT_NE(far.unrounded->at(0).x, far.spheres[0].x);
 }
 

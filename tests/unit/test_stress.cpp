@@ -178,7 +178,7 @@ TEST(Catalogue, HasEachOfItsEntriesOnce) {
 
 TEST(Catalogue, GivesValidScenesTheSameEachTime) {
   for (const Entry& entry : catalogue()) {
-    if (entry.cases == nullptr || entry.ask == Ask::refusal) continue;
+    if (entry.cases == nullptr || entry.ask == Ask::refusal || entry.sizes.slice == 0) continue;
     const std::vector<Case> cases = entry.cases(entry.sizes.slice);
     const std::vector<Case> again = entry.cases(entry.sizes.slice);
     ASSERT_FALSE(cases.empty()) << entry.id;

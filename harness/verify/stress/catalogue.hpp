@@ -71,6 +71,7 @@ std::span<const Entry> capacity();
 std::span<const Entry> dynamics();
 std::span<const Entry> determinism();
 std::span<const Entry> metamorphic();
+std::span<const Entry> real();
 
 /// Returns all entries, in this order.
 std::vector<Entry> catalogue();
