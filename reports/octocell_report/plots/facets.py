@@ -89,8 +89,9 @@ def _spec(ax: Axes) -> SubplotSpec:
 
 def beside(ax: Axes, x: float, y: float, text: str, **look: Any) -> None:
     """Text right of a mark."""
-    known: dict[str, Any] = {"fontsize": style.SMALL, "va": "center", "linespacing": 1.1}
-    ax.annotate(text, (x, y), xytext=(5, 0), textcoords="offset points", **known | look)
+    known: dict[str, Any] = {"xytext": (5, 0), "textcoords": "offset points", "va": "center"}
+    known |= {"fontsize": style.SMALL, "linespacing": 1.1}
+    ax.annotate(text, (x, y), **known | look)
 
 
 def mark_wrong(bar: Rectangle, exact: bool) -> None:
@@ -141,9 +142,8 @@ def interval(ax: Axes, y: float, low: float, middle: float, high: float, look: L
 
 def margin(ax: Axes, y: float, text: str, column: int = 0, **look: Any) -> None:
     """Text right of the facet, in a column there."""
-    known: dict[str, Any] = {"xycoords": ("axes fraction", "data"), "textcoords": "offset points"}
-    known |= {"xytext": (8 + _COLUMN * column, 0), "va": "center", "annotation_clip": False}
-    ax.annotate(text, (1, y), **known | look)
+    at = {"xycoords": ("axes fraction", "data"), "xytext": (8 + _COLUMN * column, 0)}
+    beside(ax, 1, y, text, annotation_clip=False, **at | look)
 
 
 def table(ax: Axes, across: Sequence[str], down: Sequence[str], inks: Iterable[str] = ()) -> None:

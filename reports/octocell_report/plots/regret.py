@@ -13,7 +13,6 @@ from octocell_report.plots import facets
 from octocell_report.spread import SHARE
 from octocell_report.style import Look
 
-_TICKS = (0.5, 0.6, 0.7, 0.8, 0.9, 1, TARGET, 1.2, 1.35, 1.5, 1.75, 2, 2.5, 3, 4, 5, 7, 10, 20, 50)
 _LOOKS = {
     "within": Look(f"within {TARGET:.2f}", style.BLUE, "o"),
     "above": Look(f"above {TARGET:.2f}, beyond the noise", style.VERMILLION, "o"),
@@ -46,19 +45,8 @@ def draw(result: Result) -> Figure | None:
     low = min(0.97, *(regret.ratio.low for regret in regrets)) / 1.01
     high = max(1.2, *(regret.ratio.high for regret in regrets)) * 1.02
     axes[0].set_xlim(low, high)
-    facets.logarithmic(axes[0], "x", "", _ticks(low, high))
-    axes[-1].set_xlabel("time planned / time of the best forced choice (logarithmic)")
+    facets.linear(axes[-1], "time planned / time of the best forced choice")
     return figure
-
-
-def _ticks(low: float, high: float) -> list[float]:
-    """Those that stand clear of the one before; the target always."""
-    ticks: list[float] = []
-    for tick in _TICKS:
-        clear = not ticks or tick / ticks[-1] > (high / low) ** 0.045
-        if low <= tick <= high and (clear or tick == TARGET):
-            ticks.append(tick)
-    return ticks
 
 
 def _facet(ax: Axes, found: list[Regret]) -> None:

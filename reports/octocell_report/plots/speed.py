@@ -39,10 +39,6 @@ def draw(result: Result, looks: dict[str, Look], run: str) -> Figure | None:
         [words.place(Place(*place)) for place in places],
         [here["label"].nunique() for here in places.values()],
         columns=_COLUMNS,
-        key=[
-            Look(f"{words.family_title(family)}'s fastest", style.FAINT, marker, "none").entry
-            for family, marker in markers.items()
-        ],
     )
     every = [ratio for rounds in found["ratios"] for ratio in rounds]
     for ax, here in zip(axes, places.values(), strict=True):
@@ -70,10 +66,10 @@ def _facet(ax: Axes, rows: pd.DataFrame, looks: dict[str, Look], markers: dict[s
         look = replace(looks[row.label], marker=markers[row.family_ref])
         at = y + 0.3 * (column - (len(met) - 1) / 2)  # one below the other
         facets.interval(ax, at, min(row.ratios), middle, max(row.ratios), look)
-        facets.margin(ax, y, words.ratio(middle), column, fontsize=style.SMALL)
+        facets.margin(ax, y, words.ratio(middle), column)
     for column, family in enumerate(met):
         title = _GLYPHS.get(markers[family], "") + words.family_title(family)
-        facets.margin(ax, -0.9, title, column, fontsize=style.SMALL, color=style.FAINT)
+        facets.margin(ax, -0.9, title, column, color=style.FAINT)
     references = ", ".join(rows["label_ref"].unique())
     facets.logarithmic(ax, "x", references, text=lambda x: f"{words.tick(x)}×")
     ax.xaxis.label.set(fontsize=style.SMALL, color=style.FAINT)

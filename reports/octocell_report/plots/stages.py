@@ -66,6 +66,7 @@ def _draw(
     rows = rows[rows[facet].isin(rows[facet][staged])]
     if rows.empty:
         return None
+    whole = parts.loc[rows.index].sum(axis=1)
     shown = dict(list(rows.groupby(facet, sort=False)))
     key = [Patch(color=style.stage_colour(stage), label=stage) for stage in parts]
     if not rows["counts"][staged].all():
@@ -79,21 +80,11 @@ def _draw(
         key_columns=len(key),
     )
     for ax, here in zip(axes, shown.values(), strict=True):
-        others = rows.index[rows[alike] == here[alike].iloc[0]]
-        _bars(ax, list(here[bar]), here, parts.loc[here.index], _end(parts.loc[others]))
+        lengths = whole[(rows[alike] == here[alike].iloc[0]) & (whole > 0)]
+        end = min(lengths.max(), _CUT * lengths.median())
+        _bars(ax, list(here[bar]), here, parts.loc[here.index], end)
         facets.linear(ax, unit)
     return figure
-
-
-def _end(parts: pd.DataFrame) -> float:
-    """The longest bar that is drawn; longer ones are cut there, and say so."""
-    lengths = parts.sum(axis=1)
-    lengths = lengths[lengths > 0]
-    if lengths.empty:
-        return 1.0
-    limit = _CUT * lengths.median()
-    end = lengths[lengths <= limit].max()
-    return float(min(limit, 1.2 * end) if lengths.max() > limit else end)
 
 
 def _bars(ax: Axes, names: list[str], rows: pd.DataFrame, parts: pd.DataFrame, end: float) -> None:
@@ -114,21 +105,17 @@ def _bars(ax: Axes, names: list[str], rows: pd.DataFrame, parts: pd.DataFrame, e
         for bar, exact in zip(bars, rows["counts"], strict=True):
             facets.mark_wrong(bar, exact)
     for y, row in enumerate(rows.itertuples()):
-        length, drawn = whole[row.Index], ends.loc[row.Index].max()
-        text = _after(row, length > 1.001 * end) if length > 0 else _why_empty(row)
-        facets.beside(ax, drawn, y, text, color=style.INK if length > 0 else style.FAINT)
+        ink = style.INK if whole[row.Index] > 0 else style.FAINT
+        text = _after(row, whole[row.Index], end)
+        facets.beside(ax, ends.loc[row.Index].max(), y, text, color=ink)
 
 
-def _why_empty(row: Any) -> str:
-    skipped = row.status == "skipped"
-    return f"skipped: {words.short_reason(row.reason, 48)}" if skipped else "no stages measured"
-
-
-def _after(row: Any, cut: bool) -> str:
+def _after(row: Any, length: float, end: float) -> str:
     """What stands behind the bar: the unmarked total, what is fused, and what is wrong."""
+    if not length > 0:
+        reason = words.short_reason(row.reason, 48)
+        return "no stages measured" if row.ran else f"skipped: {reason}"
     total = f"{words.number(row.median_ms)} ms · {words.number(row.ns_per_sphere)} ns/sphere"
-    lines = [f"» cut: {total}" if cut else total]
-    if not row.counts:
-        lines.append(words.verdict(row))
-    lines += [f"{stage} is inside {host}" for stage, host in row.fused.items()]
-    return "\n".join(lines)
+    lines = [f"» cut: {total}" if length > 1.001 * end else total]
+    lines += [] if row.counts else [words.verdict(row)]
+    return "\n".join([*lines, *(f"{stage} is inside {of}" for stage, of in row.fused.items())])
