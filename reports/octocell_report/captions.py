@@ -5,8 +5,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+import pandas as pd
+
 from octocell_report import front, words
-from octocell_report.ablation import TARGET, Regret, backends, regrets, unjudged
+from octocell_report.ablation import TARGET, regrets, unjudged
 from octocell_report.check import Verdict
 from octocell_report.error import Study
 from octocell_report.load import Place, Result
@@ -84,28 +86,31 @@ def commit(result: Result) -> Said:
 
 def ablation(result: Result) -> list[Said]:
     """Where it comes from, how often the plan is as good as asked, and what could not be judged."""
-    left_out = [f"{study.key.backend} {study.title}" for study in unjudged(result)]
+    left_out, found = unjudged(result), regrets(result)
+    backends = dict.fromkeys(row.backend for row in result.variants)
     return [
         *origins([result]),
-        *(_regret(backend, regrets(studies)) for backend, studies in backends(result).items()),
+        *(_regret(backend, found[found["backend"] == backend]) for backend in backends),
         *([say("left_out", cases=listed(left_out))] if left_out else []),
     ]
 
 
-def _regret(backend: str, every: list[Regret]) -> Said:
-    if not every:
+def _regret(backend: str, found: pd.DataFrame) -> Said:
+    if found.empty:
         return say("regrets_none", name=backend)
-    worst = max(every, key=lambda regret: regret.ratio.median)
+    worst = max(found.itertuples(), key=lambda row: row.regret.median)
     return say(
         "regrets",
-        **{"name": backend, "scenes": len(every), "target": f"{TARGET:.2f}"},
-        within=sum(regret.verdict == "within" for regret in every),
-        **{"worst": words.ratio(worst.ratio.median), "place": worst.study.title},
+        **{"name": backend, "scenes": len(found), "target": f"{TARGET:.2f}"},
+        within=(found["verdict"] == "within").sum(),
+        **{"worst": words.ratio(worst.regret.median), "place": worst.title},
     )
 
 
 def claims(study: Study) -> Said:
     """How many rows that claim to be exact are."""
-    claimed = [point for point in study.points if point.series.predicate and point.claimed]
-    exact = sum(point.errors == 0 for point in claimed)
-    return say("claims", exact=exact, rows=len(claimed), unsteady=len(study.unsteady))
+    points = study.points
+    claimed = points[points["claims_exact"] & points["predicate"].notna()]
+    unsteady = (points["distinct_checksums"] > 1).sum()
+    exact = (claimed["errors"] == 0).sum()
+    return say("claims", exact=exact, rows=len(claimed), unsteady=unsteady)

@@ -177,10 +177,10 @@ def sort(given: Namespace) -> int:
 @_command("result", "-o --output")
 def ablation(given: Namespace) -> int:
     """plots and tables from the preset ablation"""
-    from octocell_report import ablation_files, check
+    from octocell_report import check, study_files
 
     result = _ablation(given.result)
-    names = ablation_files.build(result, given.output, [given.result])
+    names = study_files.of_ablation(result).build(given.output, [given.result])
     say(*check.complaints(check.judge(result)))
     say(f"{given.output}: written: {', '.join(names)}")
     return 0
@@ -189,10 +189,10 @@ def ablation(given: Namespace) -> int:
 @_command("results", "-o --output")
 def error(given: Namespace) -> int:
     """plots and tables of run time against error"""
-    from octocell_report import captions, error_files
+    from octocell_report import captions, study_files
 
     study = _study(given.results)
-    names = error_files.build(study, given.output, given.results)
+    names = study_files.of_error(study).build(given.output, given.results)
     say(captions.claims(study).en)
     say(f"{given.output}: written: {', '.join(names)}")
     return 0

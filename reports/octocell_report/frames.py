@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from operator import attrgetter
 from pathlib import Path
 from statistics import median
 
@@ -155,10 +156,16 @@ def write(tables: Mapping[str, pd.DataFrame], folder: Path) -> None:
 
 def save(table: pd.DataFrame, path: Path) -> None:
     with np.errstate(invalid="ignore"):  # numbers that no integer can hold stay what they are
-        table.convert_dtypes().to_csv(path, index=False)
+        _spread(table).convert_dtypes().to_csv(path, index=False)
 
 
-def estimate(name: str, value: Estimate | None) -> dict[str, float | None]:
-    """An estimate as columns."""
-    known = value[:3] if value else (None, None, None)
-    return dict(zip((f"{name}_median", f"{name}_low", f"{name}_high"), known, strict=True))
+def _spread(table: pd.DataFrame) -> pd.DataFrame:
+    """With three columns for each of estimates: median, low, high."""
+    found = {}
+    for name, column in table.items():
+        if column.map(lambda value: isinstance(value, Estimate)).any():
+            for part in ("median", "low", "high"):
+                found[f"{name}_{part}"] = column.map(attrgetter(part), "ignore")
+        else:
+            found[name] = column
+    return pd.DataFrame(found)

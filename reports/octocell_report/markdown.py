@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Markdown: tables, and chapters on figures."""
+"""Markdown: tables, and names that Markdown would read."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from collections.abc import Iterable
 
 import pandas as pd
 
-from octocell_report.texts import Said, say
 from octocell_report.words import NONE
 
 _BAR = re.compile(r"(\\*)\|")
@@ -45,17 +44,3 @@ def _plain(line: str) -> str:
     parts = _CODE.split(line)  # every other one is code, where nothing else is read
     parts[::2] = [_READ.sub(lambda found: f"&#{ord(found[0])};", part) for part in parts[::2]]
     return "".join(parts)
-
-
-def english(notes: Iterable[Said]) -> str:
-    return " ".join(note.en for note in notes)
-
-
-def chapter(name: str, shown: str) -> list[str]:
-    """On what is shown: its title, and how to read it."""
-    return [f"## {say(f'title_{name}').en}", say(f"how_{name}").en, shown]
-
-
-def picture(name: str) -> str:
-    """The figure that lies beside the file."""
-    return f"![{say(f'title_{name}').en}]({name}.png)"

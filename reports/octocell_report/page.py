@@ -11,15 +11,14 @@ import pandas as pd
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from octocell_report import (
-    ablation_files,
     captions,
     check,
-    error_files,
     frames,
     front,
     images,
     page_tables,
     plots,
+    study_files,
 )
 from octocell_report.error import Study
 from octocell_report.files import staged_folder
@@ -84,14 +83,13 @@ def build(
     Without an ablation its files, which another command may have written there, are left alone; so
     are those of run time against error.
     """
-    owned = owned_names() | (ablation_files.owned_names() if ablation else set())
-    owned |= error_files.owned_names() if error else set()
+    studies = [study_files.of_ablation(ablation)] if ablation else []
+    studies += [study_files.of_error(error)] if error else []
+    owned = owned_names().union(*(study.owned for study in studies))
     with staged_folder(folder, owned, inputs) as staging:
         images.write(plots.draw_all(result), staging)
-        if ablation:
-            ablation_files.write(ablation, staging)
-        if error:
-            error_files.write(error, staging)
+        for study in studies:
+            study.write(staging)
         frames.write(frames.all_frames(result), staging)
         html = render(result, staging, ablation, error)
         (staging / "index.html").write_text(html, encoding="utf-8")

@@ -11,7 +11,6 @@ from typing import Any
 import pandas as pd
 
 from octocell_report import ablation, front, tables, words
-from octocell_report.ablation import Regret
 from octocell_report.error import MILLION, Study
 from octocell_report.load import Result
 from octocell_report.plan import PLANNED, REBUILT
@@ -217,44 +216,33 @@ def _key(row: Any) -> tuple[str, int, str]:
 
 def regret(result: Result) -> pd.DataFrame:
     """The plan against the best forced choice."""
-    return pd.DataFrame(map(_regret, ablation.regrets(ablation.studies(result))))
-
-
-def _regret(found: Regret) -> dict[str, object]:
-    choice: str | Said = ablation.choice(found.best)
-    return {
-        **{"scene": found.study.title, "backend": found.study.key.backend},
-        **{"planned": found.study.base.median_ms, "best": found.best.median_ms},
-        "regret": found.ratio,
-        "choice": say("same_plan", choice=choice) if found.same_plan else choice,
-        "verdict": found.verdict,
-    }
+    found = ablation.regrets(result)
+    found["choice"] = [
+        say("same_plan", choice=row.choice) if row.same_plan else row.choice
+        for row in found.itertuples()
+    ]
+    names = {"title": "scene", "planned_ms": "planned", "median_ms": "best"}
+    shown = ["title", "backend", "planned_ms", "median_ms", "regret", "choice", "verdict"]
+    return found[shown].rename(columns=names)
 
 
 def costs(study: Study) -> pd.DataFrame:
     """Exact by float32, scene by scene."""
-    return pd.DataFrame(
-        {
-            **{"scene": words.place(cost.place), "backend": cost.backend},
-            **{"deciding": cost.stages, "whole": cost.whole, "rounds": cost.whole.rounds},
-            "candidates_per_pair": cost.candidates,
-        }
-        for cost in study.costs
-    )
+    return _with_place(study.costs).rename(columns={"deciding_stages": "deciding"})
 
 
 def rounding(study: Study) -> pd.DataFrame:
     """Pairs that the input's rounding to float32 changed."""
-    return pd.DataFrame(
-        {
-            **{"scene": words.place(group.place), "pairs": group.truth_pairs or 0},
-            **{"lost": group.rounding.lost, "gained": group.rounding.gained},
-            "changed": MILLION
-            * (group.rounding.lost + group.rounding.gained)
-            / max(1, group.truth_pairs or 0),
-        }
-        for group in study.groups
-        if group.rounding
+    found = _with_place(study.rounding).rename(columns={"true_pairs": "pairs"})
+    if not found.empty:
+        found["changed"] = MILLION * (found["lost"] + found["gained"]) / found["pairs"].clip(1)
+    return found
+
+
+def _with_place(table: pd.DataFrame) -> pd.DataFrame:
+    """Scene and size in one column."""
+    return table.assign(scene=list(map(words.place, table.itertuples()))).drop(
+        columns="n", errors="ignore"
     )
 
 

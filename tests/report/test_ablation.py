@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from itertools import pairwise
 
@@ -23,7 +24,6 @@ from octocell_report import (
 )
 from octocell_report.cli import main
 from octocell_report.load import parse
-from octocell_report.plan import allowed_last, forbidden
 
 import synthetic
 import synthetic_ablation
@@ -37,9 +37,18 @@ def studied(*rows, **changes):
     return parse(document(*rows, **changes))
 
 
-def the_study(*rows):
-    (study,) = ablation.studies(studied(*rows))
-    return study
+def effects(*rows):
+    """By skip."""
+    return {row.skip: row for row in ablation.effects(studied(*rows)).itertuples()}
+
+
+def steps(*rows):
+    return list(ablation.steps(studied(*rows)).itertuples())
+
+
+def regret(*rows):
+    (found,) = ablation.regrets(studied(*rows)).itertuples()
+    return found
 
 
 def every_ablation():
@@ -58,50 +67,41 @@ def drawn(result):
     }
 
 
-def test_names_of_variants_are_taken_apart():
-    assert allowed_last("first_11_few_movers") == (11, "few_movers")
-    assert forbidden("no_key_bits") == "key_bits"
-    for name in ("none", "only_sort", "first_sort"):
-        assert allowed_last(name) is None and forbidden(name) is None
-
-
 def test_an_effect_is_the_median_over_the_rounds_of_ratios_within_them():
     fast, slow = planned(10, None, ["sort"]), planned(10, "no_sort")
     fast["total_ms"], slow["total_ms"] = [1.0, 2.0, 4.0], [3.0, 2.0, 20.0]
-    (effect,) = ablation.effects(the_study(fast, slow))
-    assert effect.taken and effect.skip == "sort"
-    assert effect.ratio == spread.Estimate(3.0, 1.0, 5.0, 3)  # of 3, 1, 5; not 3 / 2
+    found = effects(fast, slow)
+    assert list(found) == ["sort"] and found["sort"].taken
+    assert found["sort"].by_planned == spread.Estimate(3.0, 1.0, 5.0, 3)  # of 3, 1, 5; not 3 / 2
 
 
 def test_effects_tell_what_the_plan_takes_from_what_it_does_not_need():
-    effects = {effect.skip: effect for effect in ablation.effects(the_study(*group_rows()))}
-    assert [skip for skip, effect in effects.items() if effect.taken] == [
-        *("key_bits", "safe_band", "phantoms", "sort")
-    ]
-    assert effects["phantoms"].ratio.median == pytest.approx(2)
-    assert effects["layers"].ratio.median == pytest.approx(1)
+    found = effects(*group_rows())
+    taken = [skip for skip, effect in found.items() if effect.taken]
+    assert taken == ["key_bits", "safe_band", "phantoms", "sort"]
+    assert found["phantoms"].by_planned.median == pytest.approx(2)
+    assert found["layers"].by_planned.median == pytest.approx(1)
 
 
 def test_steps_hang_together_from_nothing_skipped_to_the_plan():
-    steps = ablation.steps(the_study(*group_rows()))
-    assert [step.skip for step in steps] == list(synthetic_ablation.STEPS)
-    assert steps[0].before == pytest.approx(102) and steps[-1].after == pytest.approx(1.02 * END)
-    assert all(a.after == b.before for a, b in pairwise(steps))
-    assert steps[2].saved.median == pytest.approx(1.02 * 100 * 0.9 * 0.95 * 0.5)
-    assert [step.kind for step in steps[:4]] == ["saved", "saved", "saved", "noise"]
+    found = steps(*group_rows())
+    assert [step.skip for step in found] == list(synthetic_ablation.STEPS)
+    assert found[0].before == pytest.approx(102) and found[-1].after == pytest.approx(1.02 * END)
+    assert all(a.after == b.before for a, b in pairwise(found))
+    assert found[2].change == pytest.approx(-1.02 * 100 * 0.9 * 0.95 * 0.5)
+    assert [step.kind for step in found[:4]] == ["saved", "saved", "saved", "noise"]
 
 
 def test_a_step_beyond_ten_comes_after_the_ninth():
-    steps = ablation.steps(the_study(*moving_rows()))
-    assert [step.skip for step in steps] == list(synthetic_ablation.MOVING)
-    assert steps[-1].kind == "saved"
+    found = steps(*moving_rows())
+    assert [step.skip for step in found] == list(synthetic_ablation.MOVING)
+    assert found[-1].kind == "saved"
 
 
 def test_a_wrong_step_has_no_time_and_the_next_one_is_told_as_joint():
-    result = every_ablation()
-    study = next(s for s in ablation.studies(result) if s.title == "dense 5k")
-    wrong, after = ablation.steps(study)[2:4]
-    assert wrong.after is None and wrong.kind == "noise"
+    found = ablation.steps(every_ablation()).query("title == 'dense 5k'")
+    wrong, after = found[2:4].itertuples()
+    assert math.isnan(wrong.after) and wrong.kind == "noise"
     assert after.joint and after.kind == "joint" and after.before == wrong.before
 
 
@@ -110,9 +110,8 @@ def test_too_few_rounds_judge_nothing():
     for row in rows:
         row["total_ms"] = row["total_ms"][:2]
         row["stage_ms"] = {}
-    study = the_study(*rows)
-    assert {step.kind for step in ablation.steps(study)} == {"noise"}
-    assert ablation.regret(study).verdict == "unknown"
+    assert {step.kind for step in steps(*rows)} == {"noise"}
+    assert regret(*rows).verdict == "unknown"
     (line,) = shown(page_tables.regret(studied(*rows)))
     assert line["verdict"] == "too few rounds"
 
@@ -130,8 +129,8 @@ def test_regret_is_judged_by_its_interval(ours, theirs, verdict):
     rows = [planned(1), planned(1, "none"), forced("half_shell", None, 1)]
     for row, times in zip(rows, (ours, [99.0] * 3, theirs), strict=True):
         row["total_ms"] = times
-    found = ablation.regret(the_study(*rows))
-    assert (found.verdict, ablation.choice(found.best)) == (verdict, "half_shell")
+    found = regret(*rows)
+    assert (found.verdict, found.choice) == (verdict, "half_shell")
     assert found.choices == 2
 
 
@@ -139,15 +138,15 @@ def test_the_best_choice_is_exact_and_no_negative_control():
     rows = group_rows(half_shell=0.5, home_phantom=0.4)
     rows[-1] = synthetic.wrong(rows[-1], missed=1)
     rows[-2] |= {"negative_control": True}
-    assert ablation.regret(the_study(*rows)).best.skips is not None
+    assert regret(*rows).skips is not None
 
 
 def test_a_best_choice_of_the_same_plan_is_told():
     rows = group_rows()
     same = next(row for row in rows if row["skips"] == "no_grid")
     same["total_ms"] = [0.99 * ms for ms in same["total_ms"]]
-    found = ablation.regret(the_study(*rows))
-    assert found.same_plan and ablation.choice(found.best) == "no_grid"
+    found = regret(*rows)
+    assert found.same_plan and found.choice == "no_grid"
     result = studied(*rows)
     assert shown(page_tables.regret(result))[0]["best choice"] == "no_grid (same plan)"
 
@@ -156,20 +155,17 @@ def test_moving_scenes_are_held_against_each_other_by_their_steady_frames():
     rows = moving_rows()
     for row in rows:
         row["total_ms"] = [ms * 7 for ms in row["total_ms"]]  # unlike the frames, to be told apart
-    effects = {effect.skip: effect for effect in ablation.effects(the_study(*rows))}
-    assert effects["skin"].ratio.median == pytest.approx(4)
-    assert the_study(*rows).title == "gas_brownian 1k"
+    skin = effects(*rows)["skin"]
+    assert skin.by_planned.median == pytest.approx(4) and skin.title == "gas_brownian 1k"
 
 
 def test_studies_keep_backends_and_scenes_apart():
-    found = {
-        b: [s.title for s in studies] for b, studies in ablation.backends(every_ablation()).items()
-    }
-    assert found == {
-        "impl_cpu": ["gas 1k", "dense 5k", "gas_brownian 1k"],
-        "impl_thrust": ["gas 1k"],
-    }
-    assert [study.title for study in ablation.unjudged(every_ablation())] == ["poly 2k"]
+    found = ablation.regrets(every_ablation())
+    assert list(found["backend"] + " " + found["title"]) == [
+        *("impl_cpu gas 1k", "impl_cpu dense 5k", "impl_cpu gas_brownian 1k"),
+        "impl_thrust gas 1k",
+    ]
+    assert ablation.unjudged(every_ablation()) == ["impl_cpu poly 2k"]
 
 
 def test_variants_are_in_no_other_table_plot_or_sentence():
@@ -205,7 +201,7 @@ def test_a_variant_without_its_planned_row_is_still_judged():
     assert not check.judge(result).passes
     (line,) = shown(page_tables.wrong([result]))
     assert (line["implementation"], line["kind"]) == ("impl_cpu, no_sort", "wrong")
-    assert ablation.studies(result) == [] and len(ablation.unjudged(result)) == 1
+    assert ablation.effects(result).empty and len(ablation.unjudged(result)) == 1
 
 
 def test_the_map_has_a_cell_for_every_skip_with_wrong_and_skipped_ones_named():

@@ -8,7 +8,7 @@ import json
 import pandas as pd
 import pytest
 
-from octocell_report import ablation_files, plots
+from octocell_report import plots, study_files
 from octocell_report.cli import main
 from octocell_report.load import parse
 
@@ -16,11 +16,17 @@ import synthetic
 import synthetic_ablation
 from synthetic_ablation import document, group_rows, planned
 
+TABLES = ["ablation.csv", "ablation.md"]
+
+
+def owned():
+    return study_files.of_ablation(parse(synthetic_ablation.every_case())).owned
+
 
 def test_files_of_the_command(save, tmp_path, capsys):
     out = tmp_path / "out"
     assert main(["ablation", str(save(synthetic_ablation.every_case())), "-o", str(out)]) == 0
-    assert {path.name for path in out.iterdir()} == ablation_files.owned_names()
+    assert {path.name for path in out.iterdir()} == owned()
     printed = capsys.readouterr().out.splitlines()
     assert len([line for line in printed if line.startswith("wrong: ")]) == 3
     table = pd.read_csv(out / "ablation.csv")
@@ -39,7 +45,7 @@ def test_files_of_the_command(save, tmp_path, capsys):
 
 def test_one_scene_of_variants_alone_makes_no_figure_but_its_tables(tmp_path):
     result = parse(document(planned(1, "no_sort")))
-    assert ablation_files.build(result, tmp_path / "out") == sorted(ablation_files.TABLES)
+    assert study_files.of_ablation(result).build(tmp_path / "out") == TABLES
     assert len(pd.read_csv(tmp_path / "out" / "ablation.csv")) == 1
 
 
@@ -72,7 +78,7 @@ def test_the_page_has_the_sections_if_the_folder_holds_an_ablation(save, tmp_pat
     )
     for text in told:
         assert text in html
-    assert ablation_files.owned_names() <= {path.name for path in out.iterdir()}
+    assert owned() <= {path.name for path in out.iterdir()}
     assert "Exact: all 1 default rows." in html
 
 

@@ -7,17 +7,17 @@ import pytest
 
 from octocell_report import (
     captions,
-    error,
     page_tables,
     style,
     words,
 )
 from octocell_report.cli import main
-from octocell_report.error import Series, Study
+from octocell_report.error import MILLION, Study
 from octocell_report.fields import ReportError
 from octocell_report.load import parse
 from octocell_report.plots import error_map
 from octocell_report.predicates import PREDICATES
+from octocell_report.spread import Estimate
 
 import synthetic
 import synthetic_error
@@ -34,7 +34,8 @@ def both():
 
 
 def point(study, label, scene):
-    return next(p for p in study.points if (p.series.label, p.row.place.scene) == (label, scene))
+    (found,) = study.points.query("series == @label and scene == @scene").itertuples()
+    return found
 
 
 def test_fields_are_read():
@@ -79,17 +80,18 @@ def test_predicates_are_implementations_of_their_own():
 
 def test_rates_are_per_million_true_pairs(both):
     found = point(both, "impl_cpu f32", "lattice(spacing=0.1)")
-    assert found.pairs == 2_970_000 and found.rate(found.missed) == pytest.approx(2105, abs=0.5)
-    assert found.rate(found.false) == pytest.approx(940, abs=0.5)
-    (alone,) = study_of(document(row(n=1))).points
-    assert alone.pairs == 0 and alone.rate(5) == 5 * error.MILLION
+    assert found.true_pairs == 2_970_000
+    assert found.missed_per_million == pytest.approx(2105, abs=0.5)
+    assert found.false_per_million == pytest.approx(940, abs=0.5)
+    (alone,) = study_of(document(row(n=1, predicate="f32", losses=(0, 5)))).points.itertuples()
+    assert alone.true_pairs == 0 and alone.false_per_million == alone.errors * MILLION > 0
 
 
 def test_of_two_files_the_first_stands_and_the_second_adds(both):
     alone = study_of(synthetic_error.host())
-    added = {p.series.backend for p in both.points} - {p.series.backend for p in alone.points}
+    added = set(both.points["backend"]) - set(alone.points["backend"])
     assert added == {"impl_cuda_custom", "impl_thrust_cuda"}
-    assert len([p for p in both.points if p.series.label == "impl_cpu exact"]) == 9
+    assert (both.points["series"] == "impl_cpu exact").sum() == 9
 
 
 def test_of_a_backend_the_configuration_with_most_predicates_stands():
@@ -101,59 +103,52 @@ def test_of_a_backend_the_configuration_with_most_predicates_stands():
         row(method="home_phantom", rule="lowest_cell", ns=0.5, predicate="f32"),
         row(method="home_phantom", rule="as_written", ns=0.1, losses=(9, 0), negative_control=True),
     ]
-    assert [p.row.impl.method for p in study_of(document(*rows)).points] == ["half_shell"] * 2
+    assert list(study_of(document(*rows)).points["method"]) == ["half_shell"] * 2
 
 
 def test_a_scene_is_shown_at_the_size_at_which_most_ran():
     rows = [row(n=1000), row(n=1000, predicate="f32"), row(n=9000)]
-    assert {p.row.place.n for p in study_of(document(*rows)).points} == {1000}
+    assert set(study_of(document(*rows)).points["n"]) == {1000}
     rows.append(row(n=9000, predicate="f32"))
-    assert {p.row.place.n for p in study_of(document(*rows)).points} == {9000}
+    assert set(study_of(document(*rows)).points["n"]) == {9000}
 
 
 def test_scenes_without_a_class_and_rows_without_time_are_left_out():
     known = document(row(), row(predicate="f32"), row(scene="poly"), row(scene="fcc", run="cold"))
     known["groups"][1]["scene_class"] = None
-    assert [p.row.place.scene for p in study_of(known).points] == ["gas", "gas"]
+    assert list(study_of(known).points["scene"]) == ["gas", "gas"]
 
 
 def test_fronts_are_the_fastest_that_guarantee_to_be_exact(both):
-    fronts = both.fronts("structured")
-    assert {side: s.series.label for side, s in fronts.items()} == {
-        True: "impl_cuda_custom q16_exact",
-        False: "impl_cpu q16_exact",
+    fronts = both.fronts.query("scene_class == 'structured'").set_index("place")
+    assert fronts["series"].to_dict() == {
+        "GPU": "impl_cuda_custom q16_exact",
+        "CPU": "impl_cpu q16_exact",
     }
-    assert fronts[False].ns == pytest.approx(
-        27.4 * 1.3 * 0.94 * 1.04
-    )  # decimal or lattice, round 3
-    lucky = [s for s in both.summaries("random") if s.series.label == "impl_cpu gram_f32"]
-    assert lucky[0].errors == 0 and not lucky[0].exact and lucky[0].ns < fronts[False].ns * 2
-
-
-def test_the_worst_scene_is_that_of_the_highest_rate(both):
-    f16 = next(s for s in both.summaries("structured") if s.series.label == "impl_cpu f16_cell")
-    assert f16.worst("missed").row.place.scene == "lattice(spacing=0.1)"
-    assert f16.worst("false").row.place.scene == "fcc"
-    assert next(s for s in both.summaries("random") if s.exact).worst("missed") is None
+    decimal = 27.4 * 1.3 * 0.94 * 1.04  # decimal or lattice, round 3
+    assert fronts.ns["CPU"] == pytest.approx(decimal)
+    lucky = both.points.query("scene_class == 'random' and series == 'impl_cpu gram_f32'")
+    assert lucky["errors"].sum() == 0 and not lucky["claims_exact"].any()
+    assert "impl_cpu gram_f32" not in set(both.fronts["series"])
 
 
 def test_the_price_is_taken_within_rounds_over_stages_5_and_6():
     exact, plain = row(), row(predicate="f32", ns=20.0)
     exact["stage_ms"] = {"pair_tests": [3.0, 8.0, 3.0], "resolve": [1.0, 2.0, 1.0]}
     plain["stage_ms"] = {"pair_tests": [2.0, 4.0, 2.0], "resolve": [0.0, 1.0, 0.5]}
-    (cost,) = study_of(document(exact, plain)).costs
-    assert cost.stages.median == 2.0 and (cost.stages.low, cost.stages.high) == (1.6, 2.0)
-    assert cost.whole.median == pytest.approx(27.4 / 20) and cost.candidates == 155
+    (cost,) = study_of(document(exact, plain)).costs.itertuples()
+    assert cost.deciding_stages == Estimate(2.0, 1.6, 2.0, 3)
+    assert cost.whole.median == pytest.approx(27.4 / 20) and cost.candidates_per_pair == 155
     exact["stage_ms"] = {}
-    (cost,) = study_of(document(exact, plain)).costs
-    assert cost.stages is None
+    (cost,) = study_of(document(exact, plain)).costs.itertuples()
+    assert cost.deciding_stages is None
     (line,) = page_tables.english(page_tables.costs(study_of(document(exact, plain)))).to_numpy()
     assert line[2] == words.NONE and line[3].startswith("1.37 (")
 
 
 def test_another_configuration_gives_no_price():
     rows = [row(method="planned"), row(method="planned", predicate="f64"), row(predicate="f32")]
-    assert study_of(document(*rows)).costs == []
+    assert study_of(document(*rows)).costs.empty
 
 
 def test_a_broken_guarantee_stands_out():
@@ -161,7 +156,7 @@ def test_a_broken_guarantee_stands_out():
     study = study_of(document(*rows))
     assert error_map.text_of(point(study, "impl_cpu exact", "gas")) == "+5"
     assert captions.claims(study).en.startswith("0 of the 1 rows that claim to be exact are;")
-    assert study.fronts("random") == {}
+    assert study.fronts.empty
 
 
 def test_an_answer_that_changes_is_told():
@@ -190,6 +185,7 @@ def test_negative_controls_do_not_fail_the_check(save, capsys):
 
 
 def test_series_are_ordered_by_predicate_then_library(both):
-    assert both.series[0] == Series("impl_cpu", "exact", "backend")
-    assert [s.predicate for s in both.series[4:6]] == ["q16_exact", "q16_exact"]
-    assert [s.lane for s in both.series[-3:]] == ["Bullet", "FCL", "FCL"]
+    series = both.points.drop_duplicates("series")
+    assert list(series["series"][:1]) == ["impl_cpu exact"]
+    assert list(series["predicate"][4:6]) == ["q16_exact", "q16_exact"]
+    assert list(series["lane"][-3:]) == ["Bullet", "FCL", "FCL"]

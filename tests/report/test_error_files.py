@@ -12,7 +12,7 @@ import matplotlib.pyplot as plt
 import pandas as pd
 import pytest
 
-from octocell_report import error_files, page, plots
+from octocell_report import page, plots, study_files
 from octocell_report.cli import main
 from octocell_report.error import Study
 from octocell_report.load import parse
@@ -67,7 +67,7 @@ def test_the_figures_say_what_stands_in_the_numbers(drawn):
 
 def test_bold_marks_stand_at_the_median_time(both, drawn):
     """Not at that of their worst scene: that would tell scenes apart, not tests."""
-    medians = {summary.ns for name in both.classes for summary in both.summaries(name)}
+    medians = set(both.points.groupby(["scene_class", "series"])["ns_per_sphere"].median())
     found = [
         mark.get_xdata()[0]
         for name in ("error_pareto", "error_depth")
@@ -110,7 +110,7 @@ def test_files_from_before_predicates_show_libraries_beside_exact():
     rows = [row(), row("fcl_a", None, None, None, ns=900.0, losses=(7, 0))]
     rows[0]["predicate"] = None
     study = study_of(document(*rows))
-    assert not study.compares and study.series[0].predicate == "exact"
+    assert not study.compares and study.points["predicate"][0] == "exact"
     assert "fcl_a" in figures_of(study)["error_pareto"]
 
 
@@ -132,7 +132,9 @@ def test_files_of_the_command(saved, tmp_path, capsys):
     out = tmp_path / "out"
     files = [str(saved / f"{name}.json") for name in ("host", "device")]
     assert main(["error", *files, "-o", str(out)]) == 0
-    assert {path.name for path in out.iterdir()} == error_files.owned_names()
+    assert {path.name for path in out.iterdir()} == study_files.of_error(
+        study_of(synthetic_error.host())
+    ).owned
     assert "54 of the 54 rows that claim to be exact are" in capsys.readouterr().out
     table = pd.read_csv(out / "error.csv")
     f32 = table.query("backend == 'impl_cpu' and predicate == 'f32' and scene == 'fcc'")
@@ -168,7 +170,9 @@ def test_the_page_has_the_sections_if_the_folder_holds_results(saved, save, tmp_
     assert places == sorted(places)
     for text in ("运行时间与误差", "54 of the 54 rows", "410\u202f000"):
         assert text in html
-    assert error_files.owned_names() <= {path.name for path in out.iterdir()}
+    assert study_files.of_error(study_of(synthetic_error.host())).owned <= {
+        path.name for path in out.iterdir()
+    }
 
 
 def test_a_page_without_them_has_no_such_section():

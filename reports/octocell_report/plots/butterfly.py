@@ -11,9 +11,9 @@ import math
 import textwrap
 from collections.abc import Callable
 from dataclasses import dataclass
-from operator import itemgetter
 from typing import Any
 
+import pandas as pd
 from adjustText import adjust_text
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -22,12 +22,10 @@ from matplotlib.patheffects import withStroke
 from matplotlib.text import Text
 
 from octocell_report import style, words
-from octocell_report.error import MILLION, Point, Series, Study, Summary
+from octocell_report.error import MILLION, Study
 from octocell_report.plots import facets
 from octocell_report.predicates import EXACT, MEANINGS
 from octocell_report.style import Look
-
-Measure = Callable[[Point], float | None]  # None where the point has no such error
 
 TIE = 1e-9  # what is nearer to touching than float32 can tell is drawn here, ties among it
 FAR = 10.0  # and what is wider than this; radii of 0 have any gap
@@ -44,8 +42,8 @@ _TIE_BREAK = 1e-3  # names that start at the very same height would move alike
 @dataclass(frozen=True)
 class Chart:
     title: str
-    up: Measure
-    down: Measure
+    up: pd.Series[float]  # of the study's points; NaN where one has no such error
+    down: pd.Series[float]
     up_label: str
     down_label: str
     tick: Callable[[float], str]
@@ -53,12 +51,13 @@ class Chart:
 
 def draw_rates(study: Study) -> Figure | None:
     """How many pairs are wrong: the plot that the error study is made for."""
+    missed, false = (study.points[f"{of}_per_million"] for of in ("missed", "false"))
     return _draw(
         study,
         Chart(
             "Run time against error: what a simpler overlap test saves, and gets wrong",
-            lambda point: point.rate(point.missed) if point.missed else None,
-            lambda point: point.rate(point.false) if point.false else None,
+            missed.where(missed > 0),
+            false.where(false > 0),
             "LOST, per million true pairs",
             "INVENTED, per million true pairs",
             words.rate,
@@ -68,21 +67,18 @@ def draw_rates(study: Study) -> Figure | None:
 
 def draw_depths(study: Study) -> Figure | None:
     """How bad the worst pair is: a miss by rounding and one of deep overlap differ."""
+    points = study.points
     return _draw(
         study,
         Chart(
             "How bad the worst pair is: deepest overlap lost, widest gap invented",
-            lambda point: _drawable(point.depth) if point.missed else None,
-            lambda point: _drawable(point.gap) if point.false else None,
+            points["worst_missed_depth"].clip(TIE, FAR).where(points["missed_per_million"] > 0),
+            points["worst_false_gap"].clip(TIE, FAR).where(points["false_per_million"] > 0),
             "deepest pair lost / (rᵢ + rⱼ)",
             "widest gap invented / (rᵢ + rⱼ)",
             _share,
         ),
     )
-
-
-def _drawable(value: float | None) -> float | None:
-    return None if value is None else min(max(value, TIE), FAR)
 
 
 def _share(value: float) -> str:
@@ -94,29 +90,32 @@ def _share(value: float) -> str:
 
 def _draw(study: Study, chart: Chart) -> Figure | None:
     """None where nothing has an error that could be shown."""
-    errors = [v for p in study.points for m in (chart.up, chart.down) if (v := m(p)) is not None]
+    points = study.points.assign(up=chart.up, down=chart.down)
+    errors = [*chart.up.dropna(), *chart.down.dropna()]
     if not errors:
         return None
-    looks, lanes, columns = _looks(study), _lanes(study), len(study.classes)
+    looks, lanes = _looks(points), _lanes(points)
+    classes = list(study.scenes["scene_class"].unique())
+    columns = len(classes)
     figure, axes = facets.grid(
         f"{chart.title}\nleft is faster, dashed the fastest that is exact; the further from the "
         "green strip, the worse\nbold: worst error, median time of the scenes; pale: single scenes",
-        [*study.classes, *[""] * 2 * columns],
-        [lines for lines in (_LINES, len(lanes) + 2, _LINES) for _ in study.classes],
+        [*classes, *[""] * 2 * columns],
+        [lines for lines in (_LINES, len(lanes) + 2, _LINES) for _ in classes],
         columns=columns,
-        key=_key(study, looks),
+        key=_key(points, looks),
         key_columns=_KEY_COLUMNS,
         sharex=True,
         sharey="row",
     )
     up, strip, down = (axes[at : at + columns] for at in range(0, 3 * columns, columns))
-    for at, name in enumerate(study.classes):
+    for at, name in enumerate(classes):
         _strip(strip[at], study, name, looks, lanes)
         _fronts(study, name, (up[at], strip[at], down[at]))
     labels = [
-        _panel(ax, study.summaries(name), looks, measure)
-        for panels, measure in ((up, chart.up), (down, chart.down))
-        for ax, name in zip(panels, study.classes, strict=True)
+        _panel(ax, points[points["scene_class"] == name].assign(error=points[of]), looks)
+        for panels, of in ((up, "up"), (down, "down"))
+        for ax, name in zip(panels, classes, strict=True)
     ]
     _headings(study, up)
     _scales(chart, errors, up, down)
@@ -127,37 +126,38 @@ def _draw(study: Study, chart: Chart) -> Figure | None:
     return figure
 
 
-def _looks(study: Study) -> dict[Series, Look]:
-    """Colour by predicate, marker by backend or library."""
-    owners = list(dict.fromkeys(map(_owner, study.series)))
+def _looks(points: pd.DataFrame) -> dict[str, Look]:
+    """By series: colour by predicate, marker by backend or library."""
+    series = points.drop_duplicates("series")
+    owners = list(_owner(series).unique())
     return {
-        series: Look(
-            series.predicate or series.backend,
-            style.predicate_colour(series.predicate),
-            style.owner_marker(_owner(series), owners.index(_owner(series))),
+        row.series: Look(
+            row.predicate or row.backend,
+            style.predicate_colour(row.predicate),
+            style.owner_marker(owner, owners.index(owner)),
             "none",
         )
-        for series in study.series
+        for row, owner in zip(series.itertuples(), _owner(series), strict=True)
     }
 
 
-def _owner(series: Series) -> str:
-    return series.backend if series.predicate else series.lane
+def _owner(points: pd.DataFrame) -> pd.Series[str]:
+    return points["backend"].where(points["predicate"].notna(), points["lane"])
 
 
-def _lanes(study: Study) -> list[str]:
+def _lanes(points: pd.DataFrame) -> list[str]:
     """Those that are without error on some scene, from the top."""
-    met = {point.series.lane for point in study.points if point.errors == 0}
-    return [s for s in dict.fromkeys(series.lane for series in study.series) if s in met]
+    met = set(points[points["errors"] == 0]["lane"])
+    return [lane for lane in points["lane"].unique() if lane in met]
 
 
-def _key(study: Study, looks: dict[Series, Look]) -> list[Line2D]:
+def _key(points: pd.DataFrame, looks: dict[str, Look]) -> list[Line2D]:
     """What shapes and colours mean."""
-    owners = {_owner(series): look.marker for series, look in looks.items()}
+    owners = {o: looks[s].marker for o, s in zip(_owner(points), points["series"], strict=True)}
     shapes = [Look(owner, style.FAINT, marker, "none") for owner, marker in owners.items()]
     tests = [
         Look(f"{name}: {MEANINGS[name]}", style.predicate_colour(name), "none")
-        for name in study.predicates
+        for name in points["predicate"].dropna().unique()
     ]
     lines = max(len(shapes), -(-len(tests) // (_KEY_COLUMNS - 1)))
     blank = Look(" ", "none", "none", "none")
@@ -165,18 +165,16 @@ def _key(study: Study, looks: dict[Series, Look]) -> list[Line2D]:
     return [look.entry for look in (*first, *[blank] * (_KEY_COLUMNS * lines - len(first)))]
 
 
-def _panel(
-    ax: Axes, summaries: list[Summary], looks: dict[Series, Look], measure: Measure
-) -> list[Text]:
+def _panel(ax: Axes, points: pd.DataFrame, looks: dict[str, Look]) -> list[Text]:
     """The marks of one class; the names of its tests, which are yet to be moved apart."""
     worst: dict[str, list[tuple[float, float]]] = {}
-    for summary in summaries:
-        look = looks[summary.series]
-        met = [(p.ns, value) for p in summary.points if (value := measure(p)) is not None]
-        if met:
-            _mark(ax, look, met, bold=False)
-            worst.setdefault(look.label, []).append((summary.ns, max(met, key=itemgetter(1))[1]))
-            _mark(ax, look, worst[look.label][-1:], bold=True)
+    for series, here in points.groupby("series", sort=False):
+        look, met = looks[series], here.dropna(subset="error")
+        if len(met):
+            _mark(ax, look, met["ns_per_sphere"], met["error"], bold=False)
+            mark = here["ns_per_sphere"].median(), met["error"].max()
+            worst.setdefault(look.label, []).append(mark)
+            _mark(ax, look, [mark[0]], [mark[1]], bold=True)
     for name, marks in worst.items():
         marks.sort()
         colour = style.predicate_colour(name)
@@ -205,7 +203,7 @@ def _label(ax: Axes, name: str, x: float, y: float, index: int) -> Text:
     )
 
 
-def _mark(ax: Axes, look: Look, marks: list[tuple[float, float]], bold: bool) -> None:
+def _mark(ax: Axes, look: Look, x: Any, y: Any, bold: bool) -> None:
     """Exact is the largest, with a rim of ink."""
     exact = look.label == EXACT
     known: dict[str, Any] = {"markersize": PALE, "alpha": 0.4, "markeredgewidth": 0, "zorder": 3}
@@ -213,22 +211,23 @@ def _mark(ax: Axes, look: Look, marks: list[tuple[float, float]], bold: bool) ->
         rim = style.INK if exact else style.dark(look.colour)
         known = {"markersize": BOLD + 2 * exact, "markeredgewidth": 1 + exact, "zorder": 5 + exact}
         known["markeredgecolor"] = rim
-    ax.plot(*zip(*marks, strict=True), **look.shape | known)
+    ax.plot(x, y, **look.shape | known)
 
 
-def _strip(ax: Axes, study: Study, name: str, looks: dict[Series, Look], lanes: list[str]) -> None:
+def _strip(ax: Axes, study: Study, name: str, looks: dict[str, Look], lanes: list[str]) -> None:
     """Pale where a scene has no error, bold where none of the class has."""
     ax.set_facecolor(style.NO_ERROR_FILL)
     facets.rows(ax, lanes, [style.dark(style.predicate_colour(lane)) for lane in lanes])
     ax.set_ylim(len(lanes) - 0.4, -2)
-    for summary in study.summaries(name):
-        look, right = looks[summary.series], [p.ns for p in summary.points if p.errors == 0]
-        if right:
-            y = lanes.index(summary.series.lane)
-            _mark(ax, look, [(ns, y) for ns in right], bold=False)
-        if summary.errors == 0:
-            _mark(ax, look, [(summary.ns, y)], bold=True)
-    pairs = study.pairs(name)
+    points = study.points[study.points["scene_class"] == name]
+    for (series, lane), here in points.groupby(["series", "lane"], sort=False):
+        right = here[here["errors"] == 0]["ns_per_sphere"]
+        if len(right):
+            _mark(ax, looks[series], right, [lanes.index(lane)] * len(right), bold=False)
+        if len(right) == len(here):
+            _mark(ax, looks[series], [right.median()], [lanes.index(lane)], bold=True)
+    scenes = study.scenes
+    pairs = int(scenes[scenes["scene_class"] == name]["true_pairs"].sum())
     bound = words.rate(3 * MILLION / pairs) if pairs else words.NONE
     text = f"0 of {words.count(pairs)} true pairs wrong:\nbelow {bound} per million (95 %: 3/N)"
     known: dict[str, Any] = {"fontsize": style.SMALL, "color": style.dark(style.GREEN)}
@@ -238,26 +237,21 @@ def _strip(ax: Axes, study: Study, name: str, looks: dict[Series, Look], lanes: 
 
 def _fronts(study: Study, name: str, panels: tuple[Axes, ...]) -> None:
     """Lines that nothing exact lies left of."""
-    for on_device, summary in study.fronts(name).items():
+    for front in study.fronts.query("scene_class == @name").itertuples():
         for ax in panels:
-            ax.axvline(summary.ns, color=style.INK, linewidth=1.2, linestyle="--", zorder=1)
+            ax.axvline(front.ns, color=style.INK, linewidth=1.2, linestyle="--", zorder=1)
         at: dict[str, Any] = {"xycoords": ("data", "axes fraction"), "ha": "center", "va": "bottom"}
-        panels[0].annotate(_where(on_device), (summary.ns, 1), fontsize=style.SMALL, **at)
-
-
-def _where(on_device: bool) -> str:
-    return "GPU" if on_device else "CPU"
+        panels[0].annotate(front.place, (front.ns, 1), fontsize=style.SMALL, **at)
 
 
 def _headings(study: Study, panels: list[Axes]) -> None:
     """Under the name of each class its scenes, and the fastest that is exact."""
     texts = {}
-    for name in study.classes:
-        scenes = dict.fromkeys(group.scene for group in study.groups if group.scene_class == name)
-        lines = textwrap.wrap(", ".join(scenes), 144 // len(panels), break_long_words=False)
-        for on_device, summary in study.fronts(name).items():
-            label, time = summary.series.label, words.number(summary.ns)
-            lines.append(f"{_where(on_device)}: {label}, {time} ns")
+    for name, here in study.scenes.groupby("scene_class", sort=False):
+        scenes = ", ".join(here["scene"].unique())
+        lines = textwrap.wrap(scenes, 144 // len(panels), break_long_words=False)
+        fronts = study.fronts.query("scene_class == @name").itertuples()
+        lines += [f"{front.place}: {front.series}, {words.number(front.ns)} ns" for front in fronts]
         texts[name] = lines
     height = 15 + 13 * max(map(len, texts.values()))  # points
     for ax, (name, lines) in zip(panels, texts.items(), strict=True):

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from octocell_report import ablation, style, words
-from octocell_report.ablation import TARGET, Regret
+from octocell_report.ablation import TARGET
 from octocell_report.load import Result
 from octocell_report.plots import facets
 from octocell_report.spread import SHARE
@@ -24,12 +26,11 @@ _SAME = Look("hollow: the best came to the same plan", style.FAINT, "o", hollow=
 
 def draw(result: Result) -> Figure | None:
     """None without a choice to hold the plan against."""
-    every = {b: ablation.regrets(studies) for b, studies in ablation.backends(result).items()}
-    every = {backend: found for backend, found in every.items() if found}
-    regrets = [regret for found in every.values() for regret in found]
-    if not regrets:
+    regrets = ablation.regrets(result)
+    if regrets.empty:
         return None
-    met = {regret.verdict for regret in regrets}
+    every = {b: list(found.itertuples()) for b, found in regrets.groupby("backend", sort=False)}
+    met = set(regrets["verdict"])
     figure, axes = facets.grid(
         "The plan against the best of all methods and variants, found after the fact; dashed: the "
         f"target {TARGET:.2f}\nmarks: median ratio over the rounds; lines: its {SHARE} % interval "
@@ -42,21 +43,21 @@ def draw(result: Result) -> Figure | None:
     )
     for ax, found in zip(axes, every.values(), strict=True):
         _facet(ax, found)
-    low = min(0.97, *(regret.ratio.low for regret in regrets)) / 1.01
-    high = max(1.2, *(regret.ratio.high for regret in regrets)) * 1.02
+    low = min(0.97, *(ratio.low for ratio in regrets["regret"])) / 1.01
+    high = max(1.2, *(ratio.high for ratio in regrets["regret"])) * 1.02
     axes[0].set_xlim(low, high)
     facets.linear(axes[-1], "time planned / time of the best forced choice")
     return figure
 
 
-def _facet(ax: Axes, found: list[Regret]) -> None:
+def _facet(ax: Axes, found: list[Any]) -> None:
     """Hollow where the best came to the same plan: there is no better one to be had."""
-    facets.rows(ax, [regret.study.title for regret in found])
+    facets.rows(ax, [regret.title for regret in found])
     ax.axvline(1.0, color=style.INK, linewidth=1)
     ax.axvline(TARGET, color=style.VERMILLION, linewidth=1.4, linestyle="--")
     for y, regret in enumerate(found):
-        look, ratio = _LOOKS[regret.verdict], regret.ratio
+        look, ratio = _LOOKS[regret.verdict], regret.regret
         look = Look("", look.colour, look.marker, hollow=regret.same_plan)
         facets.interval(ax, y, ratio.low, ratio.median, ratio.high, look)
-        text = f"{words.times(ratio.median)}  {ablation.choice(regret.best)}"
+        text = f"{words.times(ratio.median)}  {regret.choice}"
         facets.margin(ax, y, text, color=style.FAINT if regret.same_plan else style.INK)
