@@ -29,8 +29,9 @@ def frame(result: Result) -> pd.DataFrame:
     rows = result.frame
     rows = rows[rows["run"].isin(RUNS) & rows["counts"] & rows["device_bytes"].notna()]
     stages = result.stages.query("median_ms > 0")[["row", "stage", "median_ms", "least_bytes"]]
-    sums = stages.groupby("row")[["median_ms", "least_bytes"]].agg(lambda of: of.sum(skipna=False))
-    whole = sums.assign(stage=ALL).reset_index()
+    whole = stages.groupby("row")[["median_ms", "least_bytes"]].sum().assign(stage=ALL)
+    unknown = stages["least_bytes"].isna().groupby(stages["row"]).any()
+    whole = whole.assign(least_bytes=whole["least_bytes"].mask(unknown)).reset_index()
     every = pd.concat([stages, whole]).rename(columns={"median_ms": "ms"})
     found = every.merge(rows, left_on="row", right_index=True).sort_values("row", kind="stable")
     known = found["least_bytes"].where(found["least_bytes"] > 0).astype(float)

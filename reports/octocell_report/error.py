@@ -174,7 +174,7 @@ def _measured(rows: pd.DataFrame) -> pd.DataFrame:
 def _judging(result: Result) -> pd.DataFrame:
     """A fused stage's time is its host's, met once."""
     stages = result.stages[result.stages["stage"].isin(JUDGING)]
-    stages = stages[stages["round_ms"].map(bool)]
+    stages = stages[stages["round_ms"].map(len) > 0]
     sums = stages.groupby("row")["round_ms"].agg(
         lambda all: tuple(map(sum, zip(*all, strict=False)))
     )
