@@ -74,8 +74,9 @@ def test_bad_fields_are_named(where, changes, message):
 
 def test_predicates_are_implementations_of_their_own():
     result = parse(document(row(), row(predicate="f32")))
-    assert list(words.labels(result).values()) == ["impl_cpu half_shell", "impl_cpu half_shell f32"]
-    assert words.titles(result)[result.rows[1].impl] == "impl_cpu half_shell f32 (negative control)"
+    names = ["impl_cpu half_shell", "impl_cpu half_shell f32"]
+    assert list(result.frame["label"]) == names
+    assert words.titles(result)[names[1]] == f"{names[1]} (negative control)"
 
 
 def test_rates_are_per_million_true_pairs(both):

@@ -7,7 +7,7 @@ import math
 import pandas as pd
 import pytest
 
-from octocell_report import captions, check, words
+from octocell_report import captions, check
 from octocell_report.fields import ReportError
 from octocell_report.load import STAGES, Impl, Place, load, parse
 
@@ -152,7 +152,7 @@ def test_variants_of_the_plan_stand_apart_from_rows_as_users_have_them():
     assert {row.impl.method for row in result.rows} == {"planned", "home_phantom", "half_shell"}
     plan = result.rows[0].plan
     assert plan and plan.skips == ("key_bits", "safe_band", "phantoms", "sort")
-    assert words.labels(result)[result.rows[0].impl] == "impl_cpu planned"
+    assert result.frame["label"][0] == "impl_cpu planned"
 
 
 def test_skips_and_plan_are_optional_and_may_be_null():
