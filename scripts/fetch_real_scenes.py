@@ -257,7 +257,7 @@ SCENES = [
         DEME,
         ("share/DEME/data/clumps/ViperWheelSimple.csv",),
         by_octocell("--radius", "0.005"),
-        32_541,
+        32_540,
     ),
     Scene("voro_cylinder", VORO, (f"{PACKS}/walls/pack_cylinder.gz",), by_octocell(*IDS), 2_300),
     Scene("voro_torus", VORO, (f"{PACKS}/walls/pack_torus.gz",), by_octocell(*IDS), 2_393),

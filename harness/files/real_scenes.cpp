@@ -18,10 +18,10 @@ constexpr RealScene kRealScenes[] = {
     {"hipparcos_stars", "data/real/hipparcos_stars.npy", 113'552, "stars, linked within 5 parsecs"},
     {"navis_neurons", "data/real/navis_neurons.npy", 23'221, "the nodes of five neurons"},
     {"curobo_robots", "data/real/curobo_robots.npy", 172'544, "256 robots side by side"},
-    {"deme_wheel", "data/real/deme_wheel.npy", 32'541, "the surface of a rover's wheel"},
+    {"deme_wheel", "data/real/deme_wheel.npy", 32'540, "the surface of a rover's wheel"},
     {"voro_cylinder", "data/real/voro_cylinder.npy", 2'300, "equal spheres packed in a cylinder"},
     {"voro_torus", "data/real/voro_torus.npy", 2'393, "equal spheres packed in a torus"},
-    {"voro_cube_poly", "data/real/voro_cube_poly.npy", 159, "spheres of two sizes in a cube"},
+    {"voro_cube_poly", "data/real/voro_cube_poly.npy", 159, "spheres of many sizes packed in a cube"},
     {"lammps_discs", "data/real/lammps_discs.npy", 10'000, "discs, radii with a power law"},
 };
 
