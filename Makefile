@@ -114,6 +114,9 @@ readme: setup ## Write the tables of README and docs from the published results
 steps: ## Write the step page, reports/out/steps.html: the course's scenes, array by array
 	@python3 scripts/build_pages.py -o reports/out/steps.html
 
+studies: setup ## Draw docs/ablation and docs/error from the published results
+	@scripts/draw_studies.sh
+
 pictures: build ## Draw the README's pictures from runs of the program and the published results
 	@$(PYTHON) scripts/draw_pictures.py --octocell $(BUILD)/octocell --result $(PUBLISHED)
 
