@@ -30,7 +30,7 @@ HostBytes bytes_of(const Plan& plan, std::uint64_t spheres) {
   bytes.per_id = kSidesOfIds;
   double of_sphere = plan.rule == Rule::chapter32 ? sizeof(chapter32::ControlBits) : 0.0;
   if (plan.method == Method::half_shell) {
-    bytes.per_cell = sizeof(Row);
+    bytes.per_cell = sizeof(ColumnRow);
     of_sphere = 4.0 * sizeof(float) + (is_packed(plan.test) ? 4.0 * sizeof(std::uint16_t) : 0.0);
     // A neighbor list has its own ids and order and three copies of the spheres; the snapshot is
     // one more.

@@ -18,7 +18,7 @@ namespace {
 /// a block must agree on whether to continue.
 constexpr std::uint32_t kFoundByBounds = kInvalidSphere | kOutsidePlan;
 
-struct Job {
+struct CellIdsJob {
   const Sphere* spheres;
   std::uint64_t sphere_count;
   Grid grid;
@@ -54,7 +54,7 @@ struct Room {
   bool fits;
 };
 
-__device__ Room claim_room(const Job& job, std::uint64_t phantoms) {
+__device__ Room claim_room(const CellIdsJob& job, std::uint64_t phantoms) {
   __shared__ std::uint64_t begin;
   const Scan scan = scan_over_block(phantoms);
   if (threadIdx.x == 0) begin = atomic_add(&job.state->ids, scan.total);
@@ -63,7 +63,7 @@ __device__ Room claim_room(const Job& job, std::uint64_t phantoms) {
 }
 
 /// Sets State::entries if all ids fit; only the last block to arrive knows.
-__device__ void close_ids(const Job& job) {
+__device__ void close_ids(const CellIdsJob& job) {
   if (threadIdx.x != 0) return;
   __threadfence();
   State* const state = job.state;
@@ -74,7 +74,7 @@ __device__ void close_ids(const Job& job) {
 }
 
 /// Reserves room for a sphere with too many phantoms for one block; wide_spheres_kernel fills it.
-__device__ void put_off(const Job& job, std::uint32_t sphere, std::uint64_t phantoms) {
+__device__ void put_off(const CellIdsJob& job, std::uint32_t sphere, std::uint64_t phantoms) {
   const std::uint64_t place = atomic_add(&job.state->ids, phantoms);
   if (place + phantoms > job.capacity) return;
   const std::uint64_t number = atomic_add(&job.state->wide_spheres, 1);
@@ -83,7 +83,7 @@ __device__ void put_off(const Job& job, std::uint32_t sphere, std::uint64_t phan
 
 /// Writes the home. Returns how many phantoms the block must write, and sets the box that they
 /// need.
-__device__ std::uint64_t put_home(const Job& job, std::uint64_t i, CellBox& box) {
+__device__ std::uint64_t put_home(const CellIdsJob& job, std::uint64_t i, CellBox& box) {
   const Sphere s = load_sphere(job.spheres, i);
   const auto sphere = static_cast<std::uint32_t>(i);
   const CellRange met = job.range(s);
@@ -110,7 +110,7 @@ __device__ int owner_of(std::uint32_t slot, const std::uint32_t (&first_phantom)
   return owner;
 }
 
-__global__ void __launch_bounds__(kBlockThreads) cell_ids_kernel(Job job) {
+__global__ void __launch_bounds__(kBlockThreads) cell_ids_kernel(CellIdsJob job) {
   __shared__ CellBox boxes[kBlockThreads];
   __shared__ std::uint32_t first_phantom[kBlockThreads];
   if ((job.state->violations & kFoundByBounds) != 0) return;
@@ -131,7 +131,7 @@ __global__ void __launch_bounds__(kBlockThreads) cell_ids_kernel(Job job) {
 }
 
 /// Block (x, y) handles sphere x of the list, and every gridDim.y-th block of its phantoms.
-__global__ void __launch_bounds__(kBlockThreads) wide_spheres_kernel(Job job) {
+__global__ void __launch_bounds__(kBlockThreads) wide_spheres_kernel(CellIdsJob job) {
   const std::uint64_t count = job.state->entries != 0 ? job.state->wide_spheres : 0;
   for (std::uint64_t w = blockIdx.x; w < count; w += gridDim.x) {
     const WideSphere wide = job.wide_spheres[w];
@@ -148,7 +148,7 @@ __global__ void __launch_bounds__(kBlockThreads) wide_spheres_kernel(Job job) {
 
 /// Rule as_written: at most seven phantoms, found by trying 26 neighbours; a first pass counts
 /// them.
-__global__ void __launch_bounds__(kBlockThreads) text_cell_ids_kernel(Job job) {
+__global__ void __launch_bounds__(kBlockThreads) text_cell_ids_kernel(CellIdsJob job) {
   if ((job.state->violations & kFoundByBounds) != 0) return;
   const std::uint64_t i = std::uint64_t{blockIdx.x} * kBlockThreads + threadIdx.x;
   const auto sphere = static_cast<std::uint32_t>(i);
@@ -167,7 +167,7 @@ __global__ void __launch_bounds__(kBlockThreads) text_cell_ids_kernel(Job job) {
                                [&](std::uint32_t id) { job.put(place++, id, sphere | kPhantom); });
 }
 
-Job job_of(Workspace& w) {
+CellIdsJob job_of(Workspace& w) {
   return {.spheres = w.spheres.data(),
           .sphere_count = w.sphere_count(),
           .grid = w.plan.grid,
@@ -186,7 +186,7 @@ Job job_of(Workspace& w) {
 void cell_ids(Workspace& w) {
   if (w.plan.method == Method::half_shell) return half_shell::cell_ids(w);
   if (w.sphere_count() == 0) return;
-  const Job job = job_of(w);
+  const CellIdsJob job = job_of(w);
   const unsigned blocks = blocks_for(w.sphere_count());
   if (w.plan.rule == Rule::as_written) {
     text_cell_ids_kernel<<<blocks, kBlockThreads, 0, w.stream>>>(job);

@@ -56,7 +56,7 @@ __device__ std::uint64_t candidates_in(Rule rule, std::uint64_t homes, std::uint
   return homes == 0 ? 0 : homes * (homes - 1) / 2 + homes * (members - homes);
 }
 
-struct Job {
+struct CellIndexJob {
   const std::uint32_t* cell_ids;
   const Object* objects;
   CrowdedTile* crowded_tiles;
@@ -94,7 +94,7 @@ struct Job {
   }
 };
 
-__global__ void __launch_bounds__(kBlockThreads) cell_index_kernel(Job job) {
+__global__ void __launch_bounds__(kBlockThreads) cell_index_kernel(CellIndexJob job) {
   const std::uint64_t entries = job.state->entries;
   const std::uint64_t block_begin = std::uint64_t{blockIdx.x} * kIdsPerBlock;
   if (block_begin >= entries) return;
@@ -118,7 +118,8 @@ void cell_index(Workspace& w) {
   if (w.plan.method == Method::half_shell) return half_shell::cell_index(w);
   if (w.sphere_count() == 0 || w.plan.capacity.ids == 0) return;
   const KeysAndValues sorted = w.sorted();
-  const Job job = {sorted.keys, sorted.values, w.crowded_tiles.data(), w.state.data(), w.plan.rule};
+  const CellIndexJob job = {sorted.keys, sorted.values, w.crowded_tiles.data(), w.state.data(),
+                            w.plan.rule};
   cell_index_kernel<<<blocks_for(w.plan.capacity.ids, kIdsPerBlock), kBlockThreads, 0, w.stream>>>(
       job);
   cuda::check_launch();

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kTile = kBlockThreads;
 
-struct Job {
+struct PairTestsJob {
   const Sphere* spheres;
   const std::uint32_t* cell_ids;  // null: brute_force, where all entries lie in one cell
   const Object* objects;          // null: entry k is sphere k
@@ -77,7 +77,8 @@ struct Members {
 /// Tests one candidate per lane; lanes that are not `open` have none. All lanes of the warp must
 /// call it.
 template <typename Sink>
-__device__ void test_pair(const Job& job, Sink& sink, bool open, const Member& a, const Member& b) {
+__device__ void test_pair(const PairTestsJob& job, Sink& sink, bool open, const Member& a,
+                          const Member& b) {
   const bool found = open && job.test.may_overlap(a.sphere, b.sphere) && job.rule.counts_here(a, b);
   if (!__any_sync(kAllLanes, found)) return;
   const Verdict verdict = found ? job.test.verdict_on(a.sphere, b.sphere) : Verdict::apart;
@@ -90,7 +91,7 @@ struct NearTile {
   std::uint32_t cell_id[2 * kTile];
 
   /// Returns the number of entries. Does not gather spheres that are alone in their cell.
-  __device__ int load(const Job& job, std::uint64_t begin) {
+  __device__ int load(const PairTestsJob& job, std::uint64_t begin) {
     const auto t = static_cast<int>(threadIdx.x);
     const std::uint64_t entries = job.entries();
     const std::uint64_t here = begin + t;
@@ -115,7 +116,8 @@ struct NearTile {
 };
 
 template <typename Sink>
-__global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce) near_columns_kernel(Job job) {
+__global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce)
+    near_columns_kernel(PairTestsJob job) {
   __shared__ NearTile tile;
   __shared__ typename Sink::Shared shared;
   const std::uint64_t begin = std::uint64_t{blockIdx.x} * kTile;
@@ -140,7 +142,8 @@ __global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce) near_colum
 /// Block (x, y) takes crowded tile x as rows, and every gridDim.y-th tile of columns behind the
 /// next.
 template <typename Sink>
-__global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce) far_columns_kernel(Job job) {
+__global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce)
+    far_columns_kernel(PairTestsJob job) {
   __shared__ Members<kTile> columns;
   __shared__ typename Sink::Shared shared;
   if (!job.may_test()) return;
@@ -167,7 +170,7 @@ __global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce) far_column
   sink.close();
 }
 
-Job job_of(Workspace& w) {
+PairTestsJob job_of(Workspace& w) {
   const bool brute = w.brute_force();
   return {.spheres = w.spheres.data(),
           .cell_ids = brute ? nullptr : w.sorted().keys,
@@ -184,7 +187,7 @@ Job job_of(Workspace& w) {
 
 template <typename Sink>
 void test_columns(Workspace& w, std::uint64_t most_entries) {
-  const Job job = job_of(w);
+  const PairTestsJob job = job_of(w);
   near_columns_kernel<Sink><<<blocks_for(most_entries), kBlockThreads, 0, w.stream>>>(job);
   cuda::check_launch();
   if (most_entries <= 2 * kTile) return;

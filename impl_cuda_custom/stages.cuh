@@ -111,10 +111,10 @@ struct Workspace {
   cuda::DeviceArray<Pair> pairs;                  // [plan.capacity.pairs]
 
   // Kept between frames, if frames may reuse data:
-  PinnedArray<coherence::FrameMode> mode_taken;  // [1] of the last frame
-  cuda::DeviceArray<coherence::Kept> kept;       // [1]
+  PinnedArray<coherence::FrameMode> mode_taken;        // [1] of the last frame
+  cuda::DeviceArray<coherence::FrameHistory> history;  // [1]
   cuda::DeviceArray<Sphere> sample;       // [coherence::kSampled] as they were in the last frame
-  cuda::DeviceArray<Sphere> copy;         // [spheres] of the last frame, if that was worthwhile
+  cuda::DeviceArray<Sphere> snapshot;     // [spheres] of the last frame, if that was worthwhile
   cuda::DeviceArray<Sphere> searched;     // [spheres] as they were in the last search
   cuda::DeviceArray<Pair> neighbor_list;  // [plan.capacity.pairs] of the last search
 
@@ -186,9 +186,9 @@ struct Workspace {
     visit(cell_starts, half_shell() ? std::max(starts, grown_starts) : 0);
     visit(uncertain_pairs, room.uncertain_pairs);
     visit(pairs, room.pairs);
-    visit(kept, coherent() ? 1 : 0);
+    visit(history, coherent() ? 1 : 0);
     visit(sample, coherent() ? coherence::kSampled : 0);
-    visit(copy, allowed().unchanged ? sphere_count() : 0);
+    visit(snapshot, allowed().unchanged ? sphere_count() : 0);
     visit(searched, allowed().neighbor_list ? sphere_count() : 0);
     visit(neighbor_list, allowed().near_room);
   }

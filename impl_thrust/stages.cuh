@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/chapter32.hpp"
+#include "core/half_shell.hpp"
 #include "core/object_word.hpp"
 #include "core/pair.hpp"
 #include "core/plan.hpp"
@@ -23,13 +24,6 @@ using Positions = thrust::counting_iterator<std::uint64_t>;
 struct Found {
   std::uint64_t sure;
   std::uint64_t uncertain_pairs;
-};
-
-/// Method half_shell: the spheres of a level with the same y and z cell, a row of columns along x.
-struct Row {
-  std::uint32_t first_id;  // of its column 0
-  std::uint32_t begin;     // index of its first sphere; its spheres end where those of the next row
-                           // begin
 };
 
 /// All data that the stages share. allocate() reserves it as the plan says. The stages allocate
@@ -54,7 +48,7 @@ struct Workspace {
   Array<CellEntry> cells;                      // [plan.capacity.cells]
   Array<std::uint32_t> cell_end;  // [plan.capacity.ids] of the cell that holds the entry
   Array<Sphere> members;          // [entries] each entry's sphere, with its stored radius
-  Array<Row> rows;                // [plan.capacity.cells + 1], half_shell only
+  Array<ColumnRow> rows;          // [plan.capacity.cells + 1], half_shell only
   Array<Found> found;             // [entries + 1]
   Array<Pair> uncertain_pairs;    // [plan.capacity.uncertain_pairs]
   Array<Pair> pairs;              // [plan.capacity.pairs]

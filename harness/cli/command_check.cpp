@@ -40,7 +40,7 @@ constexpr std::string_view kDefaultSize = ":n=2000";
 
 enum class Grade : std::uint8_t { exact, wrong, known_issue, negative_control, skipped };
 
-struct Verdict {
+struct SceneVerdict {
   Grade grade;
   std::string text;
   std::string first_wrong = {};  // lines, if pairs are wrong
@@ -52,7 +52,7 @@ struct Limits {
   std::chrono::duration<double> time;  // for a baseline
 };
 
-struct Found {
+struct HeldPairs {
   Counts counts;
   std::span<const Pair> pairs;  // stored in `finder` or in `received`
   std::unique_ptr<PairFinder> finder = {};
@@ -100,8 +100,8 @@ std::string first_wrong_of(const Implementation& how, const reference::Compariso
   return text;
 }
 
-Verdict judge(const Implementation& how, const reference::Comparison& difference,
-              std::size_t true_pairs) {
+SceneVerdict judge(const Implementation& how, const reference::Comparison& difference,
+                   std::size_t true_pairs) {
   if (difference.exact()) return {Grade::exact, "exact"};
   const std::string losses = text_of(difference, true_pairs);
   if (how.negative_control())
@@ -116,10 +116,10 @@ Verdict judge(const Implementation& how, const reference::Comparison& difference
 
 /// Runs baselines in a process of their own: some crash or never end on scenes that they were not
 /// made for.
-Found find(const Implementation& how, const Scene& scene, const PlanOptions& options,
-           const Limits& limits) {
+HeldPairs find(const Implementation& how, const Scene& scene, const PlanOptions& options,
+               const Limits& limits) {
   if (how.is_baseline()) {
-    IsolatedAnswer answer = find_isolated(how.backend->create, scene.view(), options, limits.time);
+    FinderAnswer answer = find_isolated(how.backend->create, scene.view(), options, limits.time);
     const std::span<const Pair> pairs = answer.pairs;  // moving the answer does not move the pairs
     return {std::move(answer.counts), pairs, nullptr, std::move(answer.pairs)};
   }
@@ -131,19 +131,19 @@ Found find(const Implementation& how, const Scene& scene, const PlanOptions& opt
   return {outcome.counts, pairs, std::move(finder)};
 }
 
-Verdict try_implementation(const Implementation& how, const Scene& scene,
-                           const std::vector<Pair>& truth, const Limits& limits) {
+SceneVerdict try_implementation(const Implementation& how, const Scene& scene,
+                                const std::vector<Pair>& truth, const Limits& limits) {
   if (const auto reason = how.backend->why_unavailable()) return {Grade::skipped, *reason};
   PlanOptions options = how.plan_options(limits.threads);
   options.candidate_limit = limits.candidates;
   try {
-    const Found found = find(how, scene, options, limits);
+    const HeldPairs found = find(how, scene, options, limits);
     if (found.counts.over_candidate_limit) {
       return {Grade::skipped, fmt::format("{} candidates, over the limit of {}",
                                           found.counts.candidates, options.candidate_limit)};
     }
     const reference::Comparison difference = reference::compare(found.pairs, truth, scene.spheres);
-    Verdict verdict = judge(how, difference, truth.size());
+    SceneVerdict verdict = judge(how, difference, truth.size());
     verdict.first_wrong = first_wrong_of(how, difference, scene.spec);
     return verdict;
   } catch (const LimitError& limit) {
@@ -151,7 +151,7 @@ Verdict try_implementation(const Implementation& how, const Scene& scene,
   }
 }
 
-void print_verdict(const Implementation& how, const Verdict& verdict) {
+void print_verdict(const Implementation& how, const SceneVerdict& verdict) {
   static const bool colours = isatty(STDOUT_FILENO) != 0;
   static constexpr fmt::terminal_color kColours[] = {
       fmt::terminal_color::green, fmt::terminal_color::red, fmt::terminal_color::magenta,
@@ -197,7 +197,7 @@ int check(const Options& options) {
     const std::vector<Pair> truth = reference::exact_pairs(scene);
     fmt::print("{} ({} spheres, {} pairs)\n", scene.spec, scene.spheres.size(), truth.size());
     for (const Implementation& how : rows) {
-      const Verdict verdict = try_implementation(how, scene, truth, limits);
+      const SceneVerdict verdict = try_implementation(how, scene, truth, limits);
       print_verdict(how, verdict);
       ++totals[static_cast<std::size_t>(verdict.grade)];
     }

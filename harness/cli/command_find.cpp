@@ -69,7 +69,7 @@ std::ptrdiff_t count_static(const Scene& scene) {
   return std::ranges::count_if(scene.flags, is_static);
 }
 
-struct Answer {
+struct FindReport {
   const Scene& scene;
   Implementation implementation;
   Outcome outcome;
@@ -78,43 +78,43 @@ struct Answer {
   std::optional<reference::DepthErrors> depth_errors;
 };
 
-int threads_of(const Answer& answer) {
-  if (!answer.implementation.backend->threaded) return 1;
-  return answer.outcome.counts.threads;
+int threads_of(const FindReport& report) {
+  if (!report.implementation.backend->threaded) return 1;
+  return report.outcome.counts.threads;
 }
 
-nlohmann::ordered_json to_json(const Answer& answer) {
-  const Implementation& how = answer.implementation;
+nlohmann::ordered_json to_json(const FindReport& report) {
+  const Implementation& how = report.implementation;
   nlohmann::ordered_json json = {
-      {"scene", answer.scene.spec},
-      {"n", answer.scene.spheres.size()},
-      {"static", count_static(answer.scene)},
+      {"scene", report.scene.spec},
+      {"n", report.scene.spheres.size()},
+      {"static", count_static(report.scene)},
       {"backend", how.backend->name},
       {"method",
-       how.is_baseline() ? nlohmann::ordered_json() : name_of(answer.outcome.plan.method)},
+       how.is_baseline() ? nlohmann::ordered_json() : name_of(report.outcome.plan.method)},
       {"planned", how.planned()},
       {"rule",
        how.has_rule() ? nlohmann::ordered_json(name_of(how.rule)) : nlohmann::ordered_json()},
       {"predicate", how.is_baseline() ? nlohmann::ordered_json()
                                       : nlohmann::ordered_json(name_of(how.predicate))},
-      {"threads", threads_of(answer)},
-      {"pairs", answer.digest.count},
-      {"checksum", fmt::format("{:#018x}", answer.digest.checksum)},
-      {"candidates", answer.outcome.counts.candidates},
-      {"uncertain_pairs", answer.outcome.counts.uncertain_pairs},
-      {"runs", answer.outcome.runs},
-      {"plan_ms", answer.outcome.plan_ms},
-      {"total_ms", answer.outcome.times.total_ms}};
+      {"threads", threads_of(report)},
+      {"pairs", report.digest.count},
+      {"checksum", fmt::format("{:#018x}", report.digest.checksum)},
+      {"candidates", report.outcome.counts.candidates},
+      {"uncertain_pairs", report.outcome.counts.uncertain_pairs},
+      {"runs", report.outcome.runs},
+      {"plan_ms", report.outcome.plan_ms},
+      {"total_ms", report.outcome.times.total_ms}};
   nlohmann::ordered_json stages = nlohmann::ordered_json::object();
   for (std::size_t s = 0; s < kStageCount; ++s) {
-    const auto& ms = answer.outcome.times.stage_ms[s];
+    const auto& ms = report.outcome.times.stage_ms[s];
     if (ms) stages[std::string(kStageNames[s])] = *ms;
   }
   json["stage_ms"] = stages;
-  if (answer.rounding) {
-    json["rounding"] = {{"lost", answer.rounding->lost}, {"gained", answer.rounding->gained}};
+  if (report.rounding) {
+    json["rounding"] = {{"lost", report.rounding->lost}, {"gained", report.rounding->gained}};
   }
-  if (const auto& errors = answer.depth_errors) {
+  if (const auto& errors = report.depth_errors) {
     json["depth_error_ulp"] = {{"median", errors->median_ulp},
                                {"p99", errors->p99_ulp},
                                {"max", errors->max_ulp},
@@ -123,13 +123,13 @@ nlohmann::ordered_json to_json(const Answer& answer) {
   return json;
 }
 
-void print_text(const Answer& answer) {
-  const Implementation& how = answer.implementation;
-  const int threads = threads_of(answer);
-  fmt::print("scene       {} ({} spheres{})\n", answer.scene.spec, answer.scene.spheres.size(),
-             answer.scene.flags.empty()
+void print_text(const FindReport& report) {
+  const Implementation& how = report.implementation;
+  const int threads = threads_of(report);
+  fmt::print("scene       {} ({} spheres{})\n", report.scene.spec, report.scene.spheres.size(),
+             report.scene.flags.empty()
                  ? ""
-                 : fmt::format(" with flags, {} static", count_static(answer.scene)));
+                 : fmt::format(" with flags, {} static", count_static(report.scene)));
   fmt::print("backend     {}, {} thread{}\n", how.label(), threads, threads == 1 ? "" : "s");
   if (how.negative_control()) {
     fmt::print("            a negative control: this {} can be wrong\n",
@@ -138,24 +138,24 @@ void print_text(const Answer& answer) {
   if (how.has_known_issues()) {
     fmt::print("            may lose pairs: {}\n", how.backend->known_issues);
   }
-  if (answer.rounding) {
-    fmt::print("rounding    to float32 lost {} pairs and gained {}\n", answer.rounding->lost,
-               answer.rounding->gained);
+  if (report.rounding) {
+    fmt::print("rounding    to float32 lost {} pairs and gained {}\n", report.rounding->lost,
+               report.rounding->gained);
   }
-  fmt::print("pairs       {}\n", answer.digest.count);
-  fmt::print("checksum    {:#018x}\n", answer.digest.checksum);
-  fmt::print("candidates  {}\n", answer.outcome.counts.candidates);
-  if (const auto& errors = answer.depth_errors) {
+  fmt::print("pairs       {}\n", report.digest.count);
+  fmt::print("checksum    {:#018x}\n", report.digest.checksum);
+  fmt::print("candidates  {}\n", report.outcome.counts.candidates);
+  if (const auto& errors = report.depth_errors) {
     fmt::print(
         "depth error {:.4g} ULP median, {:.4g} p99, {:.7g} max; {} not the nearest float32\n",
         errors->median_ulp, errors->p99_ulp, errors->max_ulp, errors->not_nearest);
   }
-  if (!how.is_baseline()) fmt::print("planning    {:.3f} ms\n", answer.outcome.plan_ms);
+  if (!how.is_baseline()) fmt::print("planning    {:.3f} ms\n", report.outcome.plan_ms);
   for (std::size_t s = 0; s < kStageCount; ++s) {
-    const auto& ms = answer.outcome.times.stage_ms[s];
+    const auto& ms = report.outcome.times.stage_ms[s];
     if (ms) fmt::print("{:<11} {:.3f} ms\n", kStageNames[s], *ms);
   }
-  fmt::print("total       {:.3f} ms\n", answer.outcome.times.total_ms);
+  fmt::print("total       {:.3f} ms\n", report.outcome.times.total_ms);
 }
 
 void check_outputs(const Options& options) {
@@ -207,21 +207,21 @@ int find(const Options& options) {
   require_used(plan_options.forced, outcome.counts.used);
   const auto depth_errors = use_pairs(options, scene, *finder, outcome);
 
-  const Answer answer = {.scene = scene,
-                         .implementation = how,
-                         .outcome = outcome,
-                         .digest = finder->digest(),
-                         .rounding = rounding_effect(scene),
-                         .depth_errors = depth_errors};
+  const FindReport report = {.scene = scene,
+                             .implementation = how,
+                             .outcome = outcome,
+                             .digest = finder->digest(),
+                             .rounding = rounding_effect(scene),
+                             .depth_errors = depth_errors};
   if (options.explain) {
     fmt::print(
         stderr, "{}",
         to_text(explain(measure(scene.view()), outcome.plan, plan_options, outcome.counts.used)));
   }
   if (options.json) {
-    fmt::print("{}\n", json_text(to_json(answer), 2));
+    fmt::print("{}\n", json_text(to_json(report), 2));
   } else {
-    print_text(answer);
+    print_text(report);
   }
   return 0;
 }

@@ -96,12 +96,12 @@ int list_entries(const std::vector<Entry>& entries) {
   return 0;
 }
 
-void print_rows(const Entry& entry, const std::vector<Row>& rows) {
+void print_rows(const Entry& entry, const std::vector<EntryResult>& rows) {
   std::size_t exact = 0;
   std::uint64_t spheres = 0;
   std::uint64_t cases = 0;
   double seconds = 0.0;
-  for (const Row& row : rows) {
+  for (const EntryResult& row : rows) {
     exact += row.status() == Status::exact ? 1 : 0;
     spheres = row.spheres;
     seconds += row.seconds;
@@ -110,7 +110,7 @@ void print_rows(const Entry& entry, const std::vector<Row>& rows) {
   }
   fmt::print("{:<4} {:<52} {:>3} cases to {:>8} spheres, {:>2} of {} exact ({:.1f} s)\n", entry.id,
              entry.name, cases, spheres, exact, rows.size(), seconds);
-  for (const Row& row : rows) {
+  for (const EntryResult& row : rows) {
     if (row.status() == Status::exact || row.status() == Status::skipped) continue;
     fmt::print("     {:<40} {}{}: {}: {}\n", row.how.label(), row.failed() ? "FAILED, " : "",
                name_of(row.status()), row.worst_case, row.reason);
@@ -118,14 +118,14 @@ void print_rows(const Entry& entry, const std::vector<Row>& rows) {
   std::fflush(stdout);
 }
 
-void print_totals(const std::vector<Implementation>& all, const std::vector<Row>& rows) {
+void print_totals(const std::vector<Implementation>& all, const std::vector<EntryResult>& rows) {
   fmt::print("\n{:<42}", "cases");
   for (const std::string_view status : kStatusNames) fmt::print("{:>9}", status);
   fmt::print("{:>10}{:>8}{:>11}\n", "missed", "false", "duplicates");
   for (const Implementation& how : all) {
     std::array<std::uint64_t, kStatusNames.size()> cases = {};
     reference::Comparison sum;
-    for (const Row& row : rows) {
+    for (const EntryResult& row : rows) {
       if (row.how.label() != how.label()) continue;
       for (std::size_t k = 0; k < cases.size(); ++k) cases[k] += row.cases[k];
       sum.missed += row.difference.missed;
@@ -163,7 +163,7 @@ int run_stress(const Options& options) {
   Json document = document_of(options, entries);
   bench::listen_for_interrupts();
 
-  std::vector<Row> rows;
+  std::vector<EntryResult> rows;
   for (const Entry& entry : entries) {
     if (bench::interrupted()) break;
     if (entry.cases == nullptr) {
@@ -174,17 +174,17 @@ int run_stress(const Options& options) {
       fmt::print("{:<4} {:<52} left out at size {}\n", entry.id, entry.name, options.size);
       continue;
     }
-    const std::vector<Row> found = run_entry(entry, size, all, limits, bench::interrupted);
+    const std::vector<EntryResult> found = run_entry(entry, size, all, limits, bench::interrupted);
     print_rows(entry, found);
     rows.insert(rows.end(), found.begin(), found.end());
-    for (const Row& row : found) document["rows"].push_back(to_json(row));
+    for (const EntryResult& row : found) document["rows"].push_back(to_json(row));
     file.write(document);
   }
   print_totals(all, rows);
   document["context"]["finished"] = !bench::interrupted();
   file.write(document);
 
-  const auto failures = std::ranges::count_if(rows, &Row::failed);
+  const auto failures = std::ranges::count_if(rows, &EntryResult::failed);
   fmt::print("{} entries, {} rows, {} failures; {}\n", entries.size(), rows.size(), failures,
              printable(options.output));
   if (bench::interrupted()) return kExitInterrupted;

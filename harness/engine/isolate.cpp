@@ -22,6 +22,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/available_memory.hpp"
 #include "core/error.hpp"
@@ -196,7 +197,7 @@ class Child {
   Clock::time_point deadline_;
 };
 
-IsolatedAnswer receive(Child& child) {
+FinderAnswer receive(Child& child) {
   Head head = {};
   child.read_whole(std::as_writable_bytes(std::span(&head, 1)));
   std::string text(head.text_bytes, ' ');
@@ -204,24 +205,24 @@ IsolatedAnswer receive(Child& child) {
   if (head.ending == Ending::input_error) throw InputError(text);
   if (head.ending == Ending::limit_error) throw LimitError(text);
   require_memory(sizeof(Pair) * static_cast<double>(head.pair_count), "a copy of the pairs");
-  IsolatedAnswer answer = {.counts = {.ids = head.ids,
-                                      .cells = head.cells,
-                                      .candidates = head.candidates,
-                                      .uncertain_pairs = head.uncertain_pairs,
-                                      .pairs = head.pairs,
-                                      .over_candidate_limit = head.over_candidate_limit,
-                                      .used = {}},
-                           .digest = head.digest,
-                           .pairs = std::vector<Pair>(head.pair_count)};
+  FinderAnswer answer = {.counts = {.ids = head.ids,
+                                    .cells = head.cells,
+                                    .candidates = head.candidates,
+                                    .uncertain_pairs = head.uncertain_pairs,
+                                    .pairs = head.pairs,
+                                    .over_candidate_limit = head.over_candidate_limit,
+                                    .used = {}},
+                         .digest = head.digest,
+                         .pairs = std::vector<Pair>(head.pair_count)};
   child.read_whole(std::as_writable_bytes(std::span(answer.pairs)));
   return answer;
 }
 
 }  // namespace
 
-IsolatedAnswer find_isolated(const std::function<std::unique_ptr<PairFinder>()>& create,
-                             SceneView scene, const PlanOptions& options,
-                             std::chrono::duration<double> limit) {
+FinderAnswer find_isolated(const std::function<std::unique_ptr<PairFinder>()>& create,
+                           SceneView scene, const PlanOptions& options,
+                           std::chrono::duration<double> limit) {
   const auto refuse = [](const char* what) {
     throw LimitError(fmt::format("no child process: {}: {}", what, std::strerror(errno)));
   };

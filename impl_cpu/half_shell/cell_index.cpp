@@ -49,7 +49,8 @@ class RowFinder {
 };
 
 /// Writes the rows that begin in [begin, end). Returns how many.
-std::uint64_t list_rows(const Workspace& w, std::uint64_t begin, std::uint64_t end, Row* rows) {
+std::uint64_t list_rows(const Workspace& w, std::uint64_t begin, std::uint64_t end,
+                        ColumnRow* rows) {
   const std::uint32_t* const ids = w.ids[w.current].cell_ids.data();
   RowFinder finder(w.plan.levels);
   std::uint64_t listed = 0;
@@ -74,7 +75,7 @@ void join_rows(Workspace& w, const IndexBlocks& blocks) {
   const std::uint64_t joined =
       OCTOCELL_FAULT(index_blocks_left_over, w.rows_of_block.size(), blocks.count);
   for (std::uint64_t block = 0; block < joined; ++block) {
-    const Row* const rows = o.rows.data() + block * blocks.rows_of_each;
+    const ColumnRow* const rows = o.rows.data() + block * blocks.rows_of_each;
     std::copy(rows, rows + w.rows_of_block[block], o.rows.data() + count);
     count += w.rows_of_block[block];
   }
@@ -83,9 +84,10 @@ void join_rows(Workspace& w, const IndexBlocks& blocks) {
   o.level_rows[0] = 0;
   for (int level = 1; level <= levels.count; ++level) {
     const std::uint32_t next = level < levels.count ? levels.level[level].first_id : ~0U;
-    o.level_rows[level] = static_cast<std::uint32_t>(
-        std::ranges::lower_bound(o.rows.data(), o.rows.data() + count, next, {}, &Row::first_id) -
-        o.rows.data());
+    o.level_rows[level] =
+        static_cast<std::uint32_t>(std::ranges::lower_bound(o.rows.data(), o.rows.data() + count,
+                                                            next, {}, &ColumnRow::first_id) -
+                                   o.rows.data());
   }
   o.row_count = count;
 }

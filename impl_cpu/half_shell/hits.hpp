@@ -42,7 +42,7 @@ class Hits {
   /// Tests the spheres of the run against the first `size` lanes, which hold the spheres from
   /// `begin` on.
   template <typename Ones = InOrder>
-  void find(std::uint32_t begin, std::uint32_t size, const Neighbours& lanes, Run run,
+  void find(std::uint32_t begin, std::uint32_t size, const Neighbours& lanes, IndexRange run,
             Ones which = {}) {
     const LaneBits taken = first_bits(size);
     look_through(begin, lanes, run, which, [taken](std::uint64_t) { return taken; });
@@ -50,7 +50,8 @@ class Hits {
 
   /// Tests each sphere of the run against the lanes before it. The run follows the spheres of the
   /// lanes or overlaps them.
-  void find_behind(std::uint32_t begin, std::uint32_t size, const Neighbours& lanes, Run run) {
+  void find_behind(std::uint32_t begin, std::uint32_t size, const Neighbours& lanes,
+                   IndexRange run) {
     const LaneBits taken = first_bits(size);
     look_through(begin, lanes, run, InOrder{}, [begin, taken](std::uint64_t j) {
       return static_cast<LaneBits>(first_bits(static_cast<std::uint32_t>(j) - begin) & taken);
@@ -84,10 +85,10 @@ class Hits {
   static constexpr std::uint32_t kRoom = block_size(1024, 16);
 
   template <typename Ones, typename Taken>
-  void look_through(std::uint32_t begin, const Neighbours& lanes, Run run, Ones which,
+  void look_through(std::uint32_t begin, const Neighbours& lanes, IndexRange run, Ones which,
                     const Taken& taken) {
     while (!run.empty()) {
-      const Run some = {run.begin, std::min(run.end, run.begin + kMostAtOnce)};
+      const IndexRange some = {run.begin, std::min(run.end, run.begin + kMostAtOnce)};
       if (count_ + kMostAtOnce > kRoom) decide();
       count_ = note(lanes, one_by_one_.fields<test>(), std::uint64_t{begin} << 32, some, which,
                     taken, count_);
@@ -98,7 +99,7 @@ class Hits {
   /// The innermost loop of stage 5. It is a function of its own so that its data stay in registers.
   template <typename Ones, typename Taken>
   [[gnu::noinline]] std::uint32_t note(const Neighbours lanes, const FieldsOf<test> ones,
-                                       std::uint64_t begin, Run run, Ones which, Taken taken,
+                                       std::uint64_t begin, IndexRange run, Ones which, Taken taken,
                                        std::uint32_t count) {
     std::uint64_t* const spheres = spheres_;
     LaneBits* const found = lanes_;

@@ -36,7 +36,7 @@ class LevelBoxes {
     const float extent = std::nextafter(s.r + level_.r_max, HUGE_VALF);
     const CellRange box = cells_met(grid_, s, extent);
     for_each_z(box, [&](std::uint64_t first_id, std::uint64_t last_id) {
-      const Row* row = rows_.not_before(first_id);
+      const ColumnRow* row = rows_.not_before(first_id);
       for (; row != rows_.end() && row->first_id <= last_id; ++row) {
         test_one(sphere, columns_in(*row, box.lowest.x, box.highest.x));
       }
@@ -51,7 +51,7 @@ class LevelBoxes {
   Neighbours lanes_at(std::uint32_t begin) const { return Neighbours(o_.fields<test>(), begin); }
 
   /// Tests one sphere, which is not in the run, against the run.
-  void test_one(std::uint32_t sphere, Run run) {
+  void test_one(std::uint32_t sphere, IndexRange run) {
     if (candidates_ > limit_) return;
     candidates_ += run.end - run.begin;
     for (std::uint32_t j = run.begin; j < run.end; j += kLanes) {
@@ -61,8 +61,8 @@ class LevelBoxes {
   }
 
   /// Returns the spheres of a row in columns first..last of the unwrapped axis.
-  Run columns_in(const Row& row, std::uint32_t first, std::uint32_t last) const {
-    const Run all = {row.begin, (&row + 1)->begin};
+  IndexRange columns_in(const ColumnRow& row, std::uint32_t first, std::uint32_t last) const {
+    const IndexRange all = {row.begin, (&row + 1)->begin};
     const std::uint32_t period = grid_.period(0);
     if (grid_.wraps(0) && (last - first >= period || first / period != last / period)) return all;
     const std::uint64_t row_id = row.first_id;
@@ -80,7 +80,7 @@ class LevelBoxes {
         std::uint64_t next_z = z + 1;
         const std::uint64_t layer = level_.first_id + z * grid_.stride_z;
         for (int yp = 0; yp < y_count; ++yp) {
-          const Row* const behind =
+          const ColumnRow* const behind =
               test_rows(layer + y_parts[yp].begin * std::uint64_t{grid_.stride_y},
                         layer + (y_parts[yp].end - 1) * std::uint64_t{grid_.stride_y});
           if (yp + 1 < y_count) continue;
@@ -96,14 +96,14 @@ class LevelBoxes {
   }
 
   /// Returns cells low..high of an axis, which may wrap, as at most two runs of cells with ids.
-  std::pair<std::array<Run, 2>, int> periods(int axis, std::uint32_t low,
-                                             std::uint32_t high) const {
+  std::pair<std::array<IndexRange, 2>, int> periods(int axis, std::uint32_t low,
+                                                    std::uint32_t high) const {
     const std::uint32_t period = grid_.period(axis);
-    if (high - low >= period) return {{Run{0, period}}, 1};
+    if (high - low >= period) return {{IndexRange{0, period}}, 1};
     const std::uint32_t first = low & grid_.wrap_mask[axis];
     const std::uint32_t last = high & grid_.wrap_mask[axis];
-    if (first <= last) return {{Run{first, last + 1}}, 1};
-    return {{Run{0, last + 1}, Run{first, period}}, 2};
+    if (first <= last) return {{IndexRange{first, last + 1}}, 1};
+    return {{IndexRange{0, last + 1}, IndexRange{first, period}}, 2};
   }
 
   const OrderedSpheres& o_;

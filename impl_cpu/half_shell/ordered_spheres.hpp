@@ -6,18 +6,12 @@
 #include <cstdint>
 
 #include "core/buffer.hpp"
+#include "core/half_shell.hpp"
 #include "core/plan.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/lanes.hpp"
 
 namespace octocell::cpu {
-
-/// The spheres of a level with the same y and z cell: a row of columns along x.
-struct Row {
-  std::uint32_t first_id;  // of its column 0
-  std::uint32_t begin;     // index of its first sphere; its spheres end where those of the next row
-                           // begin
-};
 
 struct OrderedSpheres {
   static constexpr std::uint64_t kMargin =
@@ -29,7 +23,7 @@ struct OrderedSpheres {
   Buffer<float> x, y, z;                      // [spheres + kMargin]
   Buffer<float> r;                            // the same: stored radii; only [1] if all are equal
   Buffer<std::uint16_t> packed[4];            // the same in 16 bits; packed tests only
-  Buffer<Row> rows;                           // an extra row behind the last marks its end
+  Buffer<ColumnRow> rows;                     // an extra row behind the last marks its end
   std::uint64_t row_count = 0;
   std::uint32_t level_rows[kMaxLevels + 1] = {};  // rows [l] to [l + 1] belong to level l
 

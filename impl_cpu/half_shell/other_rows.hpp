@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/half_shell.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 #include "impl_cpu/half_shell/hits.hpp"
 #include "impl_cpu/half_shell/row_cursor.hpp"
-#include "impl_cpu/half_shell/steps.hpp"
 
 namespace octocell::cpu::half_shell {
 
@@ -40,8 +40,8 @@ class OtherRows {
   /// Tests spheres [begin, end) of the few.
   void sweep(std::uint32_t begin, std::uint32_t end) {
     RowCursor cursors[] = {rows_, rows_, rows_};
-    for (const Row* row = rows_of_few_.row_of(begin); row != rows_of_few_.end() && row->begin < end;
-         ++row) {
+    for (const ColumnRow* row = rows_of_few_.row_of(begin);
+         row != rows_of_few_.end() && row->begin < end; ++row) {
       Adjacent at = adjacent_to(*row, cursors);
       const std::uint32_t last = std::min((row + 1)->begin, end);
       for (std::uint32_t i = std::max(row->begin, begin); i < last && candidates_ <= limit_; ++i) {
@@ -58,16 +58,15 @@ class OtherRows {
     std::uint32_t exist = 0;  // one bit each
   };
 
-  Adjacent adjacent_to(const Row& row, RowCursor (&cursors)[3]) const {
+  Adjacent adjacent_to(const ColumnRow& row, RowCursor (&cursors)[3]) const {
     const std::uint32_t number = row.first_id - level_.first_id;
     const std::uint32_t z = number / grid_.stride_z;
     const std::uint32_t y = (number - z * grid_.stride_z) / grid_.stride_y;
     Adjacent found;
     for (int step_z = 0; step_z < 3; ++step_z) {
-      const auto there_z = step_along(grid_, 2, z, step_z - 1);
-      if (there_z)
-        list_layer(y, level_.first_id + *there_z * grid_.stride_z, cursors[step_z], 3 * step_z,
-                   found);
+      std::uint32_t there_z = z;
+      if (!step_along(grid_, 2, step_z - 1, there_z)) continue;
+      list_layer(y, level_.first_id + there_z * grid_.stride_z, cursors[step_z], 3 * step_z, found);
     }
     return found;
   }
@@ -77,7 +76,7 @@ class OtherRows {
   void list_layer(std::uint32_t y, std::uint32_t layer_id, RowCursor& cursor, int first,
                   Adjacent& found) const {
     const std::uint32_t last = grid_.period(1) - 1;
-    const auto list = [&](const Row* there, std::uint32_t id, int k) {
+    const auto list = [&](const ColumnRow* there, std::uint32_t id, int k) {
       if (there == rows_.end() || there->first_id != id) return;
       found.first_id[k] = id;
       found.begin[k] = there->begin;
@@ -86,7 +85,7 @@ class OtherRows {
     const int lowest = y > 0 ? 0 : 1;
     const int highest = y < last ? 2 : 1;
     std::uint32_t id = layer_id + (y - (y > 0 ? 1 : 0)) * grid_.stride_y;
-    const Row* there = cursor.not_before(id);
+    const ColumnRow* there = cursor.not_before(id);
     for (int k = lowest; k <= highest; ++k, id += grid_.stride_y) {
       if (there != rows_.end() && there->first_id < id) ++there;
       list(there, id, first + k);

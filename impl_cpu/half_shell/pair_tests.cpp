@@ -24,7 +24,7 @@ constexpr std::uint64_t kBoxesPerBlock = block_size(16, 4);
 /// Calls work(begin, end) for blocks of the spheres; it returns the number of its candidates.
 /// Starts no more blocks once there are too many candidates.
 template <typename Work>
-void for_spheres(Workspace& w, Run spheres, std::uint64_t block,
+void for_spheres(Workspace& w, IndexRange spheres, std::uint64_t block,
                  std::atomic<std::uint64_t>& candidates, const Work& work) {
   w.threads->for_blocks(
       spheres.end - spheres.begin, block, [&](std::uint64_t begin, std::uint64_t end) {
@@ -35,7 +35,7 @@ void for_spheres(Workspace& w, Run spheres, std::uint64_t block,
       });
 }
 
-Run spheres_of(const OrderedSpheres& o, int level) {
+IndexRange spheres_of(const OrderedSpheres& o, int level) {
   return {o.rows[o.level_rows[level]].begin, o.rows[o.level_rows[level + 1]].begin};
 }
 

@@ -5,19 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "impl_cpu/half_shell/ordered_spheres.hpp"
+#include "core/half_shell.hpp"
 
 namespace octocell::cpu::half_shell {
 
-/// Spheres [begin, end), in the order of their columns.
-struct Run {
-  std::uint32_t begin;
-  std::uint32_t end;
-  [[nodiscard]] bool empty() const { return begin >= end; }
-};
-
-/// Returns the spheres of a run whose ids are first..last. The ids are sorted.
-inline Run with_ids(const std::uint32_t* ids, Run among, std::uint64_t first, std::uint64_t last) {
+/// Returns the spheres of a range whose ids are first..last. The ids are sorted.
+inline IndexRange with_ids(const std::uint32_t* ids, IndexRange among, std::uint64_t first,
+                           std::uint64_t last) {
   const auto place = [&](std::uint64_t id) {
     return static_cast<std::uint32_t>(std::lower_bound(ids + among.begin, ids + among.end, id) -
                                       ids);
@@ -31,12 +25,12 @@ inline Run with_ids(const std::uint32_t* ids, Run among, std::uint64_t first, st
 /// however many of them are empty.
 class RowCursor {
  public:
-  RowCursor(const Row* begin, const Row* end) : begin_(begin), end_(end), at_(begin) {}
+  RowCursor(const ColumnRow* begin, const ColumnRow* end) : begin_(begin), end_(end), at_(begin) {}
 
   /// Returns the first row whose id is at least `first_id`; end() if there is none.
-  const Row* not_before(std::uint64_t first_id) {
-    const Row* low = at_;
-    const Row* high = at_;
+  const ColumnRow* not_before(std::uint64_t first_id) {
+    const ColumnRow* low = at_;
+    const ColumnRow* high = at_;
     std::ptrdiff_t step = 1;
     if (at_ == end_ || at_->first_id >= first_id) {
       while (low != begin_ && (low - 1)->first_id >= first_id) {
@@ -51,28 +45,28 @@ class RowCursor {
         step *= 2;
       }
     }
-    at_ = std::ranges::lower_bound(low, high, first_id, {}, &Row::first_id);
+    at_ = std::ranges::lower_bound(low, high, first_id, {}, &ColumnRow::first_id);
     return at_;
   }
 
   /// Returns the spheres of the row with that id; an empty run if there is no such row.
-  Run run_at(std::uint64_t first_id) {
-    const Row* const row = not_before(first_id);
+  IndexRange run_at(std::uint64_t first_id) {
+    const ColumnRow* const row = not_before(first_id);
     if (row == end_ || row->first_id != first_id) return {0, 0};
     return {row->begin, (row + 1)->begin};
   }
 
   /// Returns the row that holds that sphere of the level.
-  [[nodiscard]] const Row* row_of(std::uint32_t sphere) const {
-    return std::ranges::upper_bound(begin_, end_, sphere, {}, &Row::begin) - 1;
+  [[nodiscard]] const ColumnRow* row_of(std::uint32_t sphere) const {
+    return std::ranges::upper_bound(begin_, end_, sphere, {}, &ColumnRow::begin) - 1;
   }
 
-  [[nodiscard]] const Row* end() const { return end_; }
+  [[nodiscard]] const ColumnRow* end() const { return end_; }
 
  private:
-  const Row* begin_;
-  const Row* end_;
-  const Row* at_;
+  const ColumnRow* begin_;
+  const ColumnRow* end_;
+  const ColumnRow* at_;
 };
 
 }  // namespace octocell::cpu::half_shell

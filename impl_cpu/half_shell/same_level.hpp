@@ -8,12 +8,12 @@
 #include <optional>
 
 #include "core/faults.hpp"
+#include "core/half_shell.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/borders.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 #include "impl_cpu/half_shell/hits.hpp"
 #include "impl_cpu/half_shell/row_cursor.hpp"
-#include "impl_cpu/half_shell/steps.hpp"
 
 namespace octocell::cpu::half_shell {
 
@@ -43,16 +43,18 @@ class SameLevel {
 
   /// Tests spheres [begin, end) of the level against those of their row and of its half shell.
   void sweep(std::uint32_t begin, std::uint32_t end) {
-    std::array<RowCursor, std::size(kHalfShell)> cursors = {rows_, rows_, rows_, rows_};
-    for (const Row* row = rows_.row_of(begin); row != rows_.end() && row->begin < end; ++row) {
-      const Run all = {row->begin, (row + 1)->begin};
-      const Run part = {std::max(all.begin, begin), std::min(all.end, end)};
+    std::array<RowCursor, kShellRows - 1> cursors = {rows_, rows_, rows_, rows_};
+    for (const ColumnRow* row = rows_.row_of(begin); row != rows_.end() && row->begin < end;
+         ++row) {
+      const IndexRange all = {row->begin, (row + 1)->begin};
+      const IndexRange part = {std::max(all.begin, begin), std::min(all.end, end)};
       sweep_row(*row, part, all);
       const Place at = place_of(*row, part);
       for (std::size_t k = 0;
            OCTOCELL_FAULT(shell_row_missing, k + 1 < cursors.size(), k < cursors.size()); ++k) {
-        const auto there = row_one_step(at, kHalfShell[k], cursors[k]);
-        if (there) sweep_rows(*row, part, *there, strips(at, kHalfShell[k]));
+        const RowStep step = shell_row(static_cast<int>(k) + 1);
+        const auto there = row_one_step(at, step, cursors[k]);
+        if (there) sweep_rows(*row, part, *there, strips(at, step));
       }
     }
   }
@@ -60,19 +62,12 @@ class SameLevel {
  private:
   using Neighbours = Lanes<test, kLanes>;
 
-  /// One step along y, z or both, from a row to a row of its half shell.
-  struct Step {
-    int y;
-    int z;
-  };
-  static constexpr Step kHalfShell[] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}};
-
   struct Place {
     std::uint32_t y;
     std::uint32_t z;
     Border below_y, above_y, above_z;
   };
-  Place place_of(const Row& row, Run part) const {
+  Place place_of(const ColumnRow& row, IndexRange part) const {
     const std::uint32_t number = row.first_id - level_.first_id;
     Place at = {};
     at.z = number / grid_.stride_z;
@@ -88,7 +83,8 @@ class SameLevel {
   }
   /// Returns the cell before wrapping; none if the row's spheres lie in several cells with the same
   /// id.
-  std::optional<std::uint32_t> cell_of_part(int axis, std::uint32_t wrapped, Run part) const {
+  std::optional<std::uint32_t> cell_of_part(int axis, std::uint32_t wrapped,
+                                            IndexRange part) const {
     if (!grid_.wraps(axis)) return wrapped;
     const float* const values = axis == 1 ? o_.y.data() : o_.z.data();
     return OCTOCELL_FAULT(border_of_first_sphere, cell_coordinate(grid_, axis, values[part.begin]),
@@ -98,14 +94,13 @@ class SameLevel {
   /// A row that is adjacent to another, and its spheres.
   struct OtherRow {
     std::uint32_t first_id;
-    Run spheres;
+    IndexRange spheres;
   };
-  std::optional<OtherRow> row_one_step(const Place& at, Step step, RowCursor& cursor) const {
-    const auto y = step_along(grid_, 1, at.y, step.y);
-    const auto z = step_along(grid_, 2, at.z, step.z);
-    if (!y || !z) return std::nullopt;
-    const std::uint32_t id = level_.first_id + *y * grid_.stride_y + *z * grid_.stride_z;
-    const Run spheres = cursor.run_at(id);
+  std::optional<OtherRow> row_one_step(Place at, RowStep step, RowCursor& cursor) const {
+    if (!step_along(grid_, 1, step.y, at.y)) return std::nullopt;
+    if (!step_along(grid_, 2, step.z, at.z)) return std::nullopt;
+    const std::uint32_t id = level_.first_id + at.y * grid_.stride_y + at.z * grid_.stride_z;
+    const IndexRange spheres = cursor.run_at(id);
     if (spheres.empty()) return std::nullopt;
     return OtherRow{id, spheres};
   }
@@ -115,7 +110,7 @@ class SameLevel {
     Strip here;
     Strip there;
   };
-  static Strips strips(const Place& at, Step step) {
+  static Strips strips(const Place& at, RowStep step) {
     Strips found;
     if (step.y > 0) {
       found.here.lowest_y = at.above_y.lower;
@@ -157,7 +152,7 @@ class SameLevel {
   }
 
   /// Tests a row against itself: each sphere against those behind it.
-  void sweep_row(const Row& row, Run part, Run all) {
+  void sweep_row(const ColumnRow& row, IndexRange part, IndexRange all) {
     std::uint32_t near_end = part.begin;
     for (std::uint32_t i = part.begin; i < part.end && candidates_ <= limit_; i += kLanes) {
       const std::uint32_t size = std::min(kLanes, part.end - i);
@@ -170,12 +165,13 @@ class SameLevel {
   }
 
   /// Tests a part of a row against another row.
-  void sweep_rows(const Row& row, Run part, const OtherRow& other, const Strips& strips) {
-    const Run lanes = list_lanes(strips.here, part);
+  void sweep_rows(const ColumnRow& row, IndexRange part, const OtherRow& other,
+                  const Strips& strips) {
+    const IndexRange lanes = list_lanes(strips.here, part);
     if (lanes.empty()) return;
-    Run left = near_part(group_of(row, lanes.begin, lanes.end - lanes.begin), other);
+    IndexRange left = near_part(group_of(row, lanes.begin, lanes.end - lanes.begin), other);
     while (!left.empty()) {
-      const Run some = {left.begin, std::min(left.end, left.begin + kMostSwept)};
+      const IndexRange some = {left.begin, std::min(left.end, left.begin + kMostSwept)};
       list_ones(strips.there, some);
       sweep_lists(row, lanes, other);
       left.begin = some.end;
@@ -183,20 +179,21 @@ class SameLevel {
   }
 
   /// Returns the group of spheres from `begin` on in the list in_lanes_.
-  [[nodiscard]] Group group_of(const Row& row, std::uint32_t begin, std::uint32_t size) const {
+  [[nodiscard]] Group group_of(const ColumnRow& row, std::uint32_t begin,
+                               std::uint32_t size) const {
     return {begin, size, ids_[in_lanes_[begin]] - row.first_id,
             ids_[in_lanes_[begin + size - 1]] - row.first_id};
   }
 
   /// Returns the spheres of another row in columns near the group.
-  Run near_part(const Group& g, const OtherRow& other) const {
-    const Run all = other.spheres;
+  IndexRange near_part(const Group& g, const OtherRow& other) const {
+    const IndexRange all = other.spheres;
     if (is_at_seam(g)) return all;
     return with_ids(ids_, all, other.first_id + first_near(g), other.first_id + last_near(g));
   }
 
-  void sweep_lists(const Row& row, Run lanes, const OtherRow& other) {
-    Run near = {0, 0};
+  void sweep_lists(const ColumnRow& row, IndexRange lanes, const OtherRow& other) {
+    IndexRange near = {0, 0};
     for (std::uint32_t i = lanes.begin; i < lanes.end && candidates_ <= limit_; i += kLanes) {
       const Group g = group_of(row, i, std::min(kLanes, lanes.end - i));
       if (is_at_seam(g)) {
@@ -212,7 +209,7 @@ class SameLevel {
     }
   }
 
-  void test_group(const Group& g, Run ones) {
+  void test_group(const Group& g, IndexRange ones) {
     candidates_ += std::uint64_t{g.size} * (ones.end - ones.begin);
     hits_across_.find(g.begin, g.size, lanes_of(g), ones, Listed{ones_});
   }
@@ -241,7 +238,7 @@ class SameLevel {
                    z < strip.highest_z);
   }
 
-  Run list_lanes(const Strip& strip, Run part) {
+  IndexRange list_lanes(const Strip& strip, IndexRange part) {
     if (lanes_size_ + (part.end - part.begin) > kMostListed) {
       hits_across_.decide();
       lanes_size_ = 0;
@@ -255,7 +252,7 @@ class SameLevel {
     return {begin, lanes_size_};
   }
 
-  void list_ones(const Strip& strip, Run run) {
+  void list_ones(const Strip& strip, IndexRange run) {
     ones_size_ = 0;
     for (std::uint32_t k = run.begin; k < run.end; k += kLanes) {
       __builtin_prefetch(&o_.x[k]);  // will be read next, at scattered places

@@ -12,11 +12,12 @@ namespace {
 constexpr SkinCosts kSkinCosts = {
     .list = 1.8F, .fetch = 0.3F, .compare = 0.3F, .neighbor_list = 0.06F};
 
-Kept read(const Workspace& w) {
-  Kept kept;
-  cuda::check(cudaMemcpyAsync(&kept, w.kept.data(), sizeof kept, cudaMemcpyDeviceToHost, w.stream));
+FrameHistory read(const Workspace& w) {
+  FrameHistory history;
+  cuda::check(cudaMemcpyAsync(&history, w.history.data(), sizeof history, cudaMemcpyDeviceToHost,
+                              w.stream));
   cuda::check(cudaStreamSynchronize(w.stream));
-  return kept;
+  return history;
 }
 
 }  // namespace
@@ -31,8 +32,8 @@ void Coherence::forget(Workspace& w) {
   frames_ = 0;
   has_list_ = false;
   last_ = FrameMode::search;
-  if (w.kept.data() == nullptr) return;
-  cuda::check(cudaMemsetAsync(w.kept.data(), 0, sizeof(Kept), w.stream));
+  if (w.history.data() == nullptr) return;
+  cuda::check(cudaMemsetAsync(w.history.data(), 0, sizeof(FrameHistory), w.stream));
 }
 
 bool Coherence::flags_differ(Workspace& w) {
@@ -55,25 +56,26 @@ bool Coherence::looked_at_too_many(Workspace& w, const State& state) {
 
 void Coherence::learn(Workspace& w, const State& state) {
   if (!w.coherent()) return;
-  const Kept kept = read(w);
-  if (kept.frames == frames_) return;  // called twice for the same frame
-  frames_ = kept.frames;
+  const FrameHistory history = read(w);
+  if (history.frames == frames_) return;  // called twice for the same frame
+  frames_ = history.frames;
   last_ = state.mode;
-  note_mode(w, state, kept);
-  if (kept.frames < 2 || !w.allowed().neighbor_list) return;
-  motion_ = {.still_share = static_cast<float>(kept.still) / kSampled, .farthest = kept.farthest};
+  note_mode(w, state, history);
+  if (history.frames < 2 || !w.allowed().neighbor_list) return;
+  motion_ = {.still_share = static_cast<float>(history.still) / kSampled,
+             .farthest = history.farthest};
   w.growth = skin_.half_skin_for(motion_).value_or(0.0F);
 }
 
 /// Needs `motion_` as it was when the growth was chosen.
-void Coherence::note_mode(const Workspace& w, const State& state, const Kept& kept) {
+void Coherence::note_mode(const Workspace& w, const State& state, const FrameHistory& history) {
   if (state.mode == FrameMode::neighbor_list) skin_.served();
   if (state.mode != FrameMode::search) return;
   if (has_list_) skin_.left();
-  has_list_ =
-      kept.list_made != 0 && kept.neighbor_list <= w.allowed().near_room && state.violations == 0;
-  if (kept.list_made == 0) return;
-  skin_.made(kept.growth, motion_);
+  has_list_ = history.list_made != 0 && history.neighbor_list <= w.allowed().near_room &&
+              state.violations == 0;
+  if (history.list_made == 0) return;
+  skin_.made(history.growth, motion_);
   if (!has_list_) skin_.left();
 }
 

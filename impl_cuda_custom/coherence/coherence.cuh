@@ -51,7 +51,7 @@ class Coherence {
   void learn(Workspace& w, const State& state);
 
  private:
-  void note_mode(const Workspace& w, const State& state, const Kept& kept);
+  void note_mode(const Workspace& w, const State& state, const FrameHistory& history);
 
   std::vector<Flags> flags_;  // of the last scene
   std::uint64_t spheres_ = 0;

@@ -15,9 +15,9 @@ constexpr int kAtOnce = 2;  // neighbor pairs that a thread has in flight
 constexpr std::uint32_t kPerBlock = kBlockThreads * kAtOnce;
 constexpr std::uint64_t kMostBlocks = 792;
 
-struct Job {
+struct NeighborListJob {
   const Pair* neighbor_list;
-  const Kept* kept;
+  const FrameHistory* history;
   const Sphere* spheres;
   Filter filter;
   PairList pairs;
@@ -25,11 +25,11 @@ struct Job {
   const State* state;
 };
 
-__global__ void __launch_bounds__(kBlockThreads, 6) neighbor_list_kernel(Job job) {
+__global__ void __launch_bounds__(kBlockThreads, 6) neighbor_list_kernel(NeighborListJob job) {
   __shared__ PairWriter::Shared shared_pairs;
   __shared__ PairWriter::Shared shared_uncertain_pairs;
   if (job.state->mode != FrameMode::neighbor_list) return;
-  const std::uint64_t count = job.kept->neighbor_list;
+  const std::uint64_t count = job.history->neighbor_list;
   PairWriter pairs(job.pairs, shared_pairs);
   PairWriter uncertain_pairs(job.uncertain_pairs, shared_uncertain_pairs);
   const std::uint64_t stride = std::uint64_t{gridDim.x} * kPerBlock;
@@ -65,14 +65,15 @@ __global__ void __launch_bounds__(kBlockThreads, 6) neighbor_list_kernel(Job job
 
 void test_neighbor_list(Workspace& w) {
   State* const state = w.state.data();
-  const Job job = {.neighbor_list = w.neighbor_list.data(),
-                   .kept = w.kept.data(),
-                   .spheres = w.spheres.data(),
-                   .filter = filter_of(w.plan.test),
-                   .pairs = {w.pairs.data(), w.plan.capacity.pairs, &state->pairs},
-                   .uncertain_pairs = {w.uncertain_pairs.data(), w.plan.capacity.uncertain_pairs,
-                                       &state->uncertain_pairs},
-                   .state = state};
+  const NeighborListJob job = {
+      .neighbor_list = w.neighbor_list.data(),
+      .history = w.history.data(),
+      .spheres = w.spheres.data(),
+      .filter = filter_of(w.plan.test),
+      .pairs = {w.pairs.data(), w.plan.capacity.pairs, &state->pairs},
+      .uncertain_pairs = {w.uncertain_pairs.data(), w.plan.capacity.uncertain_pairs,
+                          &state->uncertain_pairs},
+      .state = state};
   const std::uint64_t most = w.allowed().near_room / kPerBlock + 1;
   neighbor_list_kernel<<<static_cast<unsigned>(std::min(most, kMostBlocks)), kBlockThreads, 0,
                          w.stream>>>(job);

@@ -11,7 +11,7 @@ namespace octocell::cuda_custom::coherence {
 /// Returns the list that a search fills.
 inline PairList near_list(Workspace& w) {
   if (!w.allowed().neighbor_list) return {};
-  return {w.neighbor_list.data(), w.allowed().near_room, &w.kept.data()->neighbor_list};
+  return {w.neighbor_list.data(), w.allowed().near_room, &w.history.data()->neighbor_list};
 }
 
 /// Tests the spheres with their own radii, neither enlarged nor changed for a filter.

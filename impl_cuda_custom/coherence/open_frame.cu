@@ -22,11 +22,11 @@ constexpr std::uint32_t kMostBlocks = 396;
 constexpr int kBlocksAtOnce = 3;
 static_assert(kSampled == kBlockThreads, "a thread for each sphere of the sample");
 
-struct Job {
+struct OpenFrameJob {
   const Sphere* spheres;
   const Flags* flags;  // may be null
   std::uint32_t count;
-  Sphere* copy;
+  Sphere* snapshot;
   const Sphere* searched;
   Sphere* sample;
   PlanFacts facts;
@@ -38,7 +38,7 @@ struct Job {
   std::uint32_t* counters;  // of the search's sort; they are cleared here
   std::uint32_t counter_count;
   State* state;
-  Kept* kept;
+  FrameHistory* history;
   FrameMode* taken;  // in the host's memory
 
   /// Returns true if the last frame found all pairs.
@@ -62,12 +62,12 @@ __device__ std::uint32_t or_over_warp(std::uint32_t bits) {
 /// Not inlined, like overlap().
 __device__ __noinline__ bool is_within_exactly(const Sphere& then, const Sphere& now,
                                                float growth) {
-  const Step step = step_of(then, now, growth);
-  return overlap_exact(step.ball, step.point);
+  const SkinTest test = skin_test_of(then, now, growth);
+  return overlap_exact(test.ball, test.point);
 }
 
 /// Returns false for a sphere outside the plan's facts: then a search reports it.
-__device__ bool is_within_skin(const Job& job, const Sphere& then, const Sphere& now,
+__device__ bool is_within_skin(const OpenFrameJob& job, const Sphere& then, const Sphere& now,
                                float growth) {
   if (violation_of(now, job.facts) != 0) return false;
   const Verdict verdict = within_skin(then, now, growth);
@@ -77,11 +77,11 @@ __device__ bool is_within_skin(const Job& job, const Sphere& then, const Sphere&
 
 /// Measures one sphere of the sample with each thread of the first block: how many stand still, and
 /// the longest way that one moved.
-__device__ void observe_sample(const Job& job) {
+__device__ void observe_sample(const OpenFrameJob& job) {
   const auto k = threadIdx.x;
   const auto chosen = static_cast<std::uint32_t>(mix_pair({0, k}) % job.count);
   const Sphere now = load_sphere(job.spheres, chosen);
-  const Sphere before = job.kept->frames != 0 ? job.sample[k] : now;
+  const Sphere before = job.history->frames != 0 ? job.sample[k] : now;
   store_sphere(job.sample, k, now);
   const float dx = now.x - before.x;
   const float dy = now.y - before.y;
@@ -90,19 +90,20 @@ __device__ void observe_sample(const Job& job) {
   if (bits_of(now.r) != bits_of(before.r) || !(way <= kFloatMax)) way = INFINITY;
   const std::uint32_t farthest = max_over_warp(bits_of(way));  // non-negative floats compare like
                                                                // their bits
-  if (lane() == 0) atomicMax(&job.kept->farthest_now, farthest);
+  if (lane() == 0) atomicMax(&job.history->farthest_now, farthest);
   const int still = __syncthreads_count(same_bits(now, before));
-  if (k == 0) job.kept->still_now = static_cast<std::uint32_t>(still);
+  if (k == 0) job.history->still_now = static_cast<std::uint32_t>(still);
 }
 
 /// Compares a sphere with `before`: its snapshot if `compares`, otherwise its place in the last
 /// search. If it equals the snapshot, it is within the skin, too: the last frame either was the
 /// search or was compared with the same search.
-__device__ std::uint32_t look_at(const Job& job, const Trial& trial, bool compares, float growth,
-                                 std::uint32_t i, const Sphere& now, const Sphere& before) {
-  if (trial.keep) store_sphere(job.copy, i, now);
+__device__ std::uint32_t look_at(const OpenFrameJob& job, const FrameTasks& tasks, bool compares,
+                                 float growth, std::uint32_t i, const Sphere& now,
+                                 const Sphere& before) {
+  if (tasks.take_snapshot) store_sphere(job.snapshot, i, now);
   if (compares && same_bits(now, before)) return 0;
-  if (!trial.skin) return kDiffers;
+  if (!tasks.check_skin) return kDiffers;
   const Sphere then = compares ? load_sphere(job.searched, i) : before;
   const bool within = is_within_skin(job, then, now, growth_of(job.flags, i, growth));
   return within ? kDiffers : kDiffers | kLeft;
@@ -110,14 +111,17 @@ __device__ std::uint32_t look_at(const Job& job, const Trial& trial, bool compar
 
 /// Returns what was found, the same for all lanes of a warp. A warp stops when it has found enough
 /// to rule out everything that is tried.
-__device__ std::uint32_t look_at_spheres(const Job& job, const Trial& trial, float growth) {
+__device__ std::uint32_t look_at_spheres(const OpenFrameJob& job, const FrameTasks& tasks,
+                                         float growth) {
   std::uint32_t found = 0;
   for (std::uint32_t begin = blockIdx.x * kPerBlock; begin < job.count;
        begin += gridDim.x * kPerBlock) {
-    const bool compares = trial.compare && (found & kDiffers) == 0;
-    const bool proves = compares || (trial.skin && (found & kLeft) == 0);
-    if (!proves && !trial.keep) break;
-    const Sphere* const others = compares ? job.copy : trial.skin ? job.searched : job.spheres;
+    const bool compares = tasks.compare && (found & kDiffers) == 0;
+    const bool proves = compares || (tasks.check_skin && (found & kLeft) == 0);
+    if (!proves && !tasks.take_snapshot) break;
+    const Sphere* const others = compares           ? job.snapshot
+                                 : tasks.check_skin ? job.searched
+                                                    : job.spheres;
     Sphere now[kAtOnce];
     Sphere before[kAtOnce];
 #pragma unroll
@@ -130,47 +134,48 @@ __device__ std::uint32_t look_at_spheres(const Job& job, const Trial& trial, flo
 #pragma unroll
     for (int k = 0; k < kAtOnce; ++k) {
       const std::uint32_t i = begin + k * kBlockThreads + threadIdx.x;
-      if (i < job.count) here |= look_at(job, trial, compares, growth, i, now[k], before[k]);
+      if (i < job.count) here |= look_at(job, tasks, compares, growth, i, now[k], before[k]);
     }
     found |= or_over_warp(here);
   }
   return found;
 }
 
-__device__ State opened(const Job& job, const State& last, const Kept& kept, FrameMode mode) {
+__device__ State opened(const OpenFrameJob& job, const State& last, const FrameHistory& history,
+                        FrameMode mode) {
   if (mode == FrameMode::search) return job.search;
   State state;
   state.mode = mode;
   if (mode == FrameMode::unchanged) state.pairs = last.pairs;
-  if (mode == FrameMode::neighbor_list) state.candidates = kept.neighbor_list;
+  if (mode == FrameMode::neighbor_list) state.candidates = history.neighbor_list;
   return state;
 }
 
-/// Decides the mode. For the last block: no other block reads State or Kept any more.
-__device__ void decide(const Job& job, const Trial& trial) {
-  Kept kept = *job.kept;
-  kept.still_now = __ldcg(&job.kept->still_now);
-  kept.farthest_now = __ldcg(&job.kept->farthest_now);
-  const FrameMode mode = mode_of(trial, __ldcg(&job.kept->found));
-  *job.state = opened(job, *job.state, kept, mode);
-  *job.kept = after(kept, trial, mode, job.allowed, job.growth);
+/// Decides the mode. For the last block: no other block reads State or FrameHistory any more.
+__device__ void decide(const OpenFrameJob& job, const FrameTasks& tasks) {
+  FrameHistory history = *job.history;
+  history.still_now = __ldcg(&job.history->still_now);
+  history.farthest_now = __ldcg(&job.history->farthest_now);
+  const FrameMode mode = mode_of(tasks, __ldcg(&job.history->found));
+  *job.state = opened(job, *job.state, history, mode);
+  *job.history = after(history, tasks, mode, job.allowed, job.growth);
   *job.taken = mode;
 }
 
 __global__ void __launch_bounds__(kBlockThreads, kBlocksAtOnce)
-    open_frame_kernel(const __grid_constant__ Job job) {
+    open_frame_kernel(const __grid_constant__ OpenFrameJob job) {
   const std::uint32_t threads = gridDim.x * kBlockThreads;
   for (std::uint32_t k = blockIdx.x * kBlockThreads + threadIdx.x; k < job.counter_count;
        k += threads) {
     job.counters[k] = 0;
   }
-  const bool complete = job.kept->frames != 0 && job.is_complete(*job.state);
-  const Trial trial = trial_of(*job.kept, complete, job.allowed);
+  const bool complete = job.history->frames != 0 && job.is_complete(*job.state);
+  const FrameTasks tasks = tasks_of(*job.history, complete, job.allowed);
   if (blockIdx.x == 0) observe_sample(job);
-  const std::uint32_t found = look_at_spheres(job, trial, job.kept->growth);
-  if (found != 0 && lane() == 0) atomicOr(&job.kept->found, found);
-  const bool is_last = digit_histograms::is_last_block(&job.kept->blocks_done);
-  if (is_last && threadIdx.x == 0) decide(job, trial);
+  const std::uint32_t found = look_at_spheres(job, tasks, job.history->growth);
+  if (found != 0 && lane() == 0) atomicOr(&job.history->found, found);
+  const bool is_last = digit_histograms::is_last_block(&job.history->blocks_done);
+  if (is_last && threadIdx.x == 0) decide(job, tasks);
 }
 
 State search_of(const Workspace& w) {
@@ -184,23 +189,24 @@ State search_of(const Workspace& w) {
 
 void open_frame(Workspace& w) {
   const auto count = static_cast<std::uint32_t>(w.sphere_count());
-  const Job job = {.spheres = w.spheres.data(),
-                   .flags = w.flags_or_none(),
-                   .count = count,
-                   .copy = w.copy.data(),
-                   .searched = w.searched.data(),
-                   .sample = w.sample.data(),
-                   .facts = w.plan.facts,
-                   .allowed = w.allowed(),
-                   .room = w.plan.capacity,
-                   .candidate_limit = w.plan.candidate_limit,
-                   .growth = w.growth,
-                   .search = search_of(w),
-                   .counters = reinterpret_cast<std::uint32_t*>(w.sort_scratch.data()),
-                   .counter_count = static_cast<std::uint32_t>(w.sorter_now().zeroed_words()),
-                   .state = w.state.data(),
-                   .kept = w.kept.data(),
-                   .taken = w.mode_taken.data()};
+  const OpenFrameJob job = {
+      .spheres = w.spheres.data(),
+      .flags = w.flags_or_none(),
+      .count = count,
+      .snapshot = w.snapshot.data(),
+      .searched = w.searched.data(),
+      .sample = w.sample.data(),
+      .facts = w.plan.facts,
+      .allowed = w.allowed(),
+      .room = w.plan.capacity,
+      .candidate_limit = w.plan.candidate_limit,
+      .growth = w.growth,
+      .search = search_of(w),
+      .counters = reinterpret_cast<std::uint32_t*>(w.sort_scratch.data()),
+      .counter_count = static_cast<std::uint32_t>(w.sorter_now().zeroed_words()),
+      .state = w.state.data(),
+      .history = w.history.data(),
+      .taken = w.mode_taken.data()};
   open_frame_kernel<<<std::min(parts_of(count, kPerBlock), kMostBlocks), kBlockThreads, 0,
                       w.stream>>>(job);
   cuda::check_launch();

@@ -20,7 +20,7 @@ enum class FrameMode : std::uint32_t {
 };
 
 /// What is known about earlier frames. All zero means that nothing is known.
-struct Kept {
+struct FrameHistory {
   std::uint64_t frames;          // frames since then
   std::uint32_t snapshot_holds;  // the snapshot equals the spheres of the last frame
   std::uint32_t list_made;       // the last search listed neighbor pairs
@@ -35,7 +35,7 @@ struct Kept {
   std::uint32_t farthest_now;  // the bits of a float
 };
 
-/// Bits of Kept::found.
+/// Bits of FrameHistory::found.
 inline constexpr std::uint32_t kDiffers = 1;  // from the snapshot
 inline constexpr std::uint32_t kLeft = 2;     // its skin, or the plan's facts
 
@@ -51,46 +51,47 @@ struct Allowed {
 };
 
 /// What a frame tries, before it has read a sphere.
-struct Trial {
-  bool compare;  // with the snapshot
-  bool skin;     // compare with the places where spheres were when the neighbor pairs were listed
-  bool keep;     // write a snapshot for the next frame
+struct FrameTasks {
+  bool compare;        // with the snapshot
+  bool check_skin;     // against the places where spheres were when the neighbor pairs were listed
+  bool take_snapshot;  // for the next frame
 };
 
 /// Decides what a frame tries. `complete` means that the last frame found all pairs and had room
 /// for them; if not, nothing from it is used. A snapshot is written if the next frame may use it:
 /// in the first frame, and when nothing in the sample moves.
-OCTOCELL_HD Trial trial_of(const Kept& kept, bool complete, const Allowed& allowed) {
-  const bool still = kept.frames == 0 || kept.still == kSampled;
-  Trial trial = {};
-  trial.compare = complete && allowed.unchanged && kept.snapshot_holds != 0;
-  trial.skin = complete && allowed.neighbor_list && kept.list_made != 0 &&
-               kept.neighbor_list <= allowed.near_room;
-  trial.keep = allowed.unchanged && !trial.compare && still;
-  return trial;
+OCTOCELL_HD FrameTasks tasks_of(const FrameHistory& history, bool complete,
+                                const Allowed& allowed) {
+  const bool still = history.frames == 0 || history.still == kSampled;
+  FrameTasks tasks = {};
+  tasks.compare = complete && allowed.unchanged && history.snapshot_holds != 0;
+  tasks.check_skin = complete && allowed.neighbor_list && history.list_made != 0 &&
+                     history.neighbor_list <= allowed.near_room;
+  tasks.take_snapshot = allowed.unchanged && !tasks.compare && still;
+  return tasks;
 }
 
-OCTOCELL_HD FrameMode mode_of(const Trial& trial, std::uint32_t found) {
-  if (trial.compare && (found & kDiffers) == 0) return FrameMode::unchanged;
-  if (trial.skin && (found & kLeft) == 0) return FrameMode::neighbor_list;
+OCTOCELL_HD FrameMode mode_of(const FrameTasks& tasks, std::uint32_t found) {
+  if (tasks.compare && (found & kDiffers) == 0) return FrameMode::unchanged;
+  if (tasks.check_skin && (found & kLeft) == 0) return FrameMode::neighbor_list;
   return FrameMode::search;
 }
 
 /// Returns what is known after the frame. `growth` belongs to its search, if it was one. What the
 /// last search left stays valid until the next search.
-OCTOCELL_HD Kept after(Kept kept, const Trial& trial, FrameMode mode, const Allowed& allowed,
-                       float growth) {
-  ++kept.frames;
-  kept.snapshot_holds = mode == FrameMode::unchanged || trial.keep ? 1 : 0;
+OCTOCELL_HD FrameHistory after(FrameHistory history, const FrameTasks& tasks, FrameMode mode,
+                               const Allowed& allowed, float growth) {
+  ++history.frames;
+  history.snapshot_holds = mode == FrameMode::unchanged || tasks.take_snapshot ? 1 : 0;
   if (mode == FrameMode::search) {
-    kept.list_made = allowed.neighbor_list && growth > 0.0F ? 1 : 0;
-    kept.growth = growth;
-    kept.neighbor_list = 0;
+    history.list_made = allowed.neighbor_list && growth > 0.0F ? 1 : 0;
+    history.growth = growth;
+    history.neighbor_list = 0;
   }
-  kept.still = kept.frames == 1 ? 0 : kept.still_now;
-  memcpy(&kept.farthest, &kept.farthest_now, sizeof kept.farthest);
-  kept.found = kept.blocks_done = kept.still_now = kept.farthest_now = 0;
-  return kept;
+  history.still = history.frames == 1 ? 0 : history.still_now;
+  memcpy(&history.farthest, &history.farthest_now, sizeof history.farthest);
+  history.found = history.blocks_done = history.still_now = history.farthest_now = 0;
+  return history;
 }
 
 OCTOCELL_HD std::uint32_t bits_of(float value) {
@@ -102,11 +103,11 @@ OCTOCELL_HD std::uint32_t bits_of(float value) {
 /// The ball of the growth around the place where a sphere was, and the point where it is now. As
 /// long as they overlap and the radius is the same, the sphere has not left its skin
 /// (docs/exactness.md). Both must be finite.
-struct Step {
+struct SkinTest {
   Sphere ball;
   Sphere point;
 };
-OCTOCELL_HD Step step_of(const Sphere& then, const Sphere& now, float growth) {
+OCTOCELL_HD SkinTest skin_test_of(const Sphere& then, const Sphere& now, float growth) {
   return {{then.x, then.y, then.z, growth}, {now.x, now.y, now.z, 0.0F}};
 }
 
@@ -127,8 +128,8 @@ OCTOCELL_HD float radius_in_search(const Sphere& s, const Flags* flags, std::uin
 OCTOCELL_HD Verdict within_skin(const Sphere& then, const Sphere& now, float growth) {
   if (growth == 0.0F) return same_bits(then, now) ? Verdict::overlap : Verdict::apart;
   if (bits_of(then.r) != bits_of(now.r)) return Verdict::apart;
-  const Step step = step_of(then, now, growth);
-  return filter_verdict<Filter::safe>(step.ball, step.point);
+  const SkinTest test = skin_test_of(then, now, growth);
+  return filter_verdict<Filter::safe>(test.ball, test.point);
 }
 
 }  // namespace octocell::cuda_custom::coherence

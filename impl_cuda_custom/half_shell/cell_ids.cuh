@@ -12,7 +12,7 @@
 
 namespace octocell::cuda_custom::half_shell {
 
-struct IdsJob {
+struct ColumnIdsJob {
   const Sphere* spheres;
   std::uint32_t sphere_count;
   PlanFacts facts;
@@ -24,7 +24,7 @@ struct IdsJob {
   std::uint32_t* cell_ids;
   Object* objects;
   State* state;
-  digit_histograms::Job digits;
+  digit_histograms::HistogramsJob digits;
 
   [[nodiscard]] __device__ std::uint32_t id_of(std::uint32_t i, const Sphere& s) const {
     const float r = coherence::radius_in_search(s, flags, i, growth);
@@ -46,13 +46,13 @@ struct Met {
 
 /// Returns the size of a warp's part. Each warp has consecutive spheres, so it sees their ids in
 /// order.
-__device__ inline std::uint32_t spheres_of_warp(const IdsJob& job) {
+__device__ inline std::uint32_t spheres_of_warp(const ColumnIdsJob& job) {
   const std::uint32_t warps = gridDim.x * (kIdsThreads / kWarpThreads);
   return parts_of(parts_of(job.sphere_count, warps), kWarpThreads) * kWarpThreads;
 }
 
 template <int kPasses>
-__device__ Met put_ids(const IdsJob& job, std::uint32_t* counts) {
+__device__ Met put_ids(const ColumnIdsJob& job, std::uint32_t* counts) {
   const std::uint32_t size = spheres_of_warp(job);
   const std::uint32_t warp = (blockIdx.x * kIdsThreads + threadIdx.x) / kWarpThreads;
   const std::uint32_t begin = min(warp * size, job.sphere_count);
@@ -87,7 +87,7 @@ __device__ Met put_ids(const IdsJob& job, std::uint32_t* counts) {
 }
 
 /// Checks the order between the parts of warps, which no warp has seen. For the last block.
-__device__ inline bool out_of_order_between_warps(const IdsJob& job) {
+__device__ inline bool out_of_order_between_warps(const ColumnIdsJob& job) {
   const std::uint32_t size = spheres_of_warp(job);
   bool found = false;
 #pragma unroll 4
@@ -98,7 +98,8 @@ __device__ inline bool out_of_order_between_warps(const IdsJob& job) {
 }
 
 template <int kPasses>
-__global__ void __launch_bounds__(kIdsThreads, 2) ids_kernel(const __grid_constant__ IdsJob job) {
+__global__ void __launch_bounds__(kIdsThreads, 2)
+    ids_kernel(const __grid_constant__ ColumnIdsJob job) {
   extern __shared__ std::uint32_t counts[];
   State* const state = job.state;
   if (job.may_leave && state->mode != coherence::FrameMode::search) return;
@@ -117,20 +118,21 @@ __global__ void __launch_bounds__(kIdsThreads, 2) ids_kernel(const __grid_consta
 inline void cell_ids(Workspace& w) {
   if (!w.half_shell()) return;
   State* const state = w.state.data();
-  const IdsJob job = {.spheres = w.spheres.data(),
-                      .sphere_count = static_cast<std::uint32_t>(w.sphere_count()),
-                      .facts = w.plan.facts,
-                      .levels = w.levels(),
-                      .may_leave = w.coherent(),
-                      .growth = w.growth,
-                      .flags = w.flags_or_none(),
-                      .searched = w.allowed().neighbor_list ? w.searched.data() : nullptr,
-                      .cell_ids = w.side(0).keys,
-                      .objects = w.side(0).values,
-                      .state = state,
-                      .digits = w.sorter_now().histograms(&state->ids, w.sort_scratch.data())};
-  constexpr void (*kByPasses[])(IdsJob) = {ids_kernel<1>, ids_kernel<2>, ids_kernel<3>,
-                                           ids_kernel<4>};
+  const ColumnIdsJob job = {
+      .spheres = w.spheres.data(),
+      .sphere_count = static_cast<std::uint32_t>(w.sphere_count()),
+      .facts = w.plan.facts,
+      .levels = w.levels(),
+      .may_leave = w.coherent(),
+      .growth = w.growth,
+      .flags = w.flags_or_none(),
+      .searched = w.allowed().neighbor_list ? w.searched.data() : nullptr,
+      .cell_ids = w.side(0).keys,
+      .objects = w.side(0).values,
+      .state = state,
+      .digits = w.sorter_now().histograms(&state->ids, w.sort_scratch.data())};
+  constexpr void (*kByPasses[])(ColumnIdsJob) = {ids_kernel<1>, ids_kernel<2>, ids_kernel<3>,
+                                                 ids_kernel<4>};
   const int passes = w.sorter_now().passes();
   const std::uint32_t blocks = std::min(parts_of(job.sphere_count, kIdsThreads), kIdsBlocks);
   const std::size_t shared = digit_histograms::shared_bytes(job.digits, passes);

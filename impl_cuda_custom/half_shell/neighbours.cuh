@@ -12,16 +12,10 @@
 #include <cstdint>
 
 #include "core/faults.hpp"
+#include "core/half_shell.hpp"
 #include "impl_cuda_custom/half_shell/cell_starts.cuh"
 
 namespace octocell::cuda_custom::half_shell {
-
-/// Places [begin, end) of the sorted spheres.
-struct Run {
-  std::uint32_t begin;
-  std::uint32_t end;
-  [[nodiscard]] __device__ std::uint32_t size() const { return end - begin; }
-};
 
 /// The levels and their sorted spheres, as stages 4 and 5 see them.
 struct Shells {
@@ -49,7 +43,7 @@ struct Shells {
                                                           std::uint32_t id,
                                                           const Sphere& sphere) const {
     std::uint64_t count = 0;
-    visit_runs(present, place, id, sphere, [&](Run run) { count += run.size(); });
+    visit_runs(present, place, id, sphere, [&](IndexRange run) { count += run.size(); });
     return count;
   }
 };
@@ -64,25 +58,10 @@ inline bool is_open(const Level& level) {
          level.grid.period(1) >= 3;
 }
 
-/// The position of a row relative to that of a cell.
-struct RowStep {
-  int y;
-  int z;
-};
-
-/// The number of rows of the half shell; row 0 is the sphere's own.
-constexpr int kShellRows = 5;
-__device__ inline RowStep shell_row(int row) {
-  return row < 2 ? RowStep{row, 0}
-                 : RowStep{row - 3, 1};  // (0, 0), (1, 0), (-1, 1), (0, 1), (1, 1)
-}
-constexpr int kRowsAround = 9;
-__device__ inline RowStep row_around(int row) { return {row % 3 - 1, row / 3 - 1}; }
-
 /// Returns the columns from `back` before that of `id` to column_reach behind it. For an open
 /// level.
-__device__ inline Run open_run(const CellStarts& starts, const Level& level, std::uint32_t id,
-                               RowStep step, std::uint32_t back) {
+__device__ inline IndexRange open_run(const CellStarts& starts, const Level& level,
+                                      std::uint32_t id, RowStep step, std::uint32_t back) {
   const auto first = std::int64_t{level.first_id};
   const std::int64_t end = first + level.ids;
   const std::int64_t there = std::int64_t{id} + step.y * std::int64_t{level.grid.stride_y} +
@@ -103,42 +82,34 @@ __device__ inline Cell cell_of_id(const Level& level, std::uint32_t id) {
   return {id - level.first_id - row * columns, row - layer * rows, layer};
 }
 
-/// Moves a coordinate by -1, 0 or 1; returns false if the axis ends there.
-__device__ inline bool step_along(const Grid& grid, int axis, int step, std::uint32_t& coordinate) {
-  coordinate += static_cast<std::uint32_t>(step);
-  if (coordinate < grid.period(axis)) return true;
-  if (grid.wrap_mask[axis] == ~0U) return false;
-  coordinate &= grid.wrap_mask[axis];
-  return true;
-}
-
 /// Returns the same run for any level. `around` selects the part beyond the border of a row that
 /// wraps; it is empty except for columns near that border.
-__device__ inline Run bordered_run(const CellStarts& starts, const Level& level, std::uint32_t id,
-                                   RowStep step, std::uint32_t back, bool around) {
+__device__ inline IndexRange bordered_run(const CellStarts& starts, const Level& level,
+                                          std::uint32_t id, RowStep step, std::uint32_t back,
+                                          bool around) {
   const Grid& grid = level.grid;
   Cell cell = cell_of_id(level, id);
   if (!step_along(grid, 1, step.y, cell.y) || !step_along(grid, 2, step.z, cell.z)) return {};
   const std::uint32_t columns = grid.stride_y;
   const std::uint32_t row = level.first_id + grid.stride_y * cell.y + grid.stride_z * cell.z;
   const auto run = [&](std::uint32_t first, std::uint32_t end) {
-    return Run{starts.place_of(row + first), starts.place_of(row + end)};
+    return IndexRange{starts.place_of(row + first), starts.place_of(row + end)};
   };
   const std::uint32_t end = cell.x + level.column_reach + 1;
   if (!around) return run(cell.x < back ? 0 : cell.x - back, min(end, columns));
   if (grid.wrap_mask[0] == ~0U) return {};
   if (end > columns) return run(0, end - columns);
-  return cell.x < back ? run(cell.x + columns - back, columns) : Run{};
+  return cell.x < back ? run(cell.x + columns - back, columns) : IndexRange{};
 }
 
 /// Calls visit(run_of(k)) for k below `count`. Looks up each run before it visits the previous one,
 /// so that the two overlap.
 template <typename RunOf, typename Visit>
 __device__ void visit_each(int count, RunOf run_of, Visit visit) {
-  Run next = run_of(0);
+  IndexRange next = run_of(0);
 #pragma unroll 1
   for (int k = 1; k <= count; ++k) {
-    const Run now = next;
+    const IndexRange now = next;
     if (k < count) next = run_of(k);
     visit(now);
   }
@@ -156,14 +127,14 @@ __device__ void Shells::visit_runs(bool present, std::uint32_t place, std::uint3
                           bool around) {
     const Level& level = levels.level[k];
     if (!open[k]) return bordered_run(starts, level, of_id, step, back, around);
-    return around ? Run{} : open_run(starts, level, of_id, step, back);
+    return around ? IndexRange{} : open_run(starts, level, of_id, step, back);
   };
 
   const int own = level_of_id(id);
   visit_rows(kShellRows, [&](int row, bool around) {
-    if (!present) return Run{};
+    if (!present) return IndexRange{};
     const std::uint32_t back = row == 0 ? 0 : levels.level[own].column_reach;
-    Run run = run_in(own, id, shell_row(row), back, around);
+    IndexRange run = run_in(own, id, shell_row(row), back, around);
     if (row == 0 && !around) run.begin = place + 1;
     return run;
   });
@@ -175,7 +146,7 @@ __device__ void Shells::visit_runs(bool present, std::uint32_t place, std::uint3
                     cell_id(coarser.grid, cell_of(coarser.grid, sphere.x, sphere.y, sphere.z))
               : 0;
     visit_rows(kRowsAround, [&](int row, bool around) {
-      return below ? run_in(k, there, row_around(row), coarser.column_reach, around) : Run{};
+      return below ? run_in(k, there, row_around(row), coarser.column_reach, around) : IndexRange{};
     });
   }
 }
@@ -190,7 +161,7 @@ struct OpenLevel {
   const Sphere* spheres;
   const Object* objects;
 
-  [[nodiscard]] __device__ Run run_of(int k, std::uint32_t place, std::uint32_t id) const {
+  [[nodiscard]] __device__ IndexRange run_of(int k, std::uint32_t place, std::uint32_t id) const {
     const RowStep step = shell_row(k);
     const std::uint32_t there = id + step.y * row + step.z * layer;
     const std::uint32_t end = starts.place_of(min(there + column_reach + 1, ids));
@@ -201,7 +172,7 @@ struct OpenLevel {
   __device__ void visit_runs(bool present, std::uint32_t place, std::uint32_t id, const Sphere&,
                              Visit visit) const {
     visit_each(
-        kShellRows, [&](int k) { return present ? run_of(k, place, id) : Run{}; }, visit);
+        kShellRows, [&](int k) { return present ? run_of(k, place, id) : IndexRange{}; }, visit);
   }
 
   [[nodiscard]] __device__ std::uint64_t count_neighbours(bool present, std::uint32_t place,

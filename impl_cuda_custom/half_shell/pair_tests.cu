@@ -108,7 +108,7 @@ __device__ inline std::uint32_t find_hits(const Test& test, const Stored& row, c
 /// Tests the lane's own run. All lanes of the warp must call it.
 template <typename Job, typename Queue, typename Stored>
 __device__ void test_run(const Job& job, Queue& queue, std::uint32_t place, const Stored& row,
-                         Run run) {
+                         IndexRange run) {
   const std::uint32_t longest = max_over_warp(run.size());
   for (std::uint32_t done = 0; done < longest; done += kWarpThreads) {
     const std::uint32_t left = run.size() > done ? run.size() - done : 0;
@@ -140,7 +140,7 @@ __global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce)
   const Stored row = present ? load(job.stored, place) : Stored{};
   const std::uint32_t id = present ? neighbours.starts.cell_ids[place] : 0;
   neighbours.visit_runs(present, place, id, sphere,
-                        [&](Run run) { test_run(job, queue, place, row, run); });
+                        [&](IndexRange run) { test_run(job, queue, place, row, run); });
   queue.drain();
   sink.close();
 }

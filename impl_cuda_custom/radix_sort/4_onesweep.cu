@@ -168,19 +168,19 @@ Layout layout_of(const Shape& shape, void* scratch) {
 
 }  // namespace
 
-digit_histograms::Job histograms_of(const Shape& shape, const Call& call) {
+digit_histograms::HistogramsJob histograms_of(const Shape& shape, const Call& call) {
   const Variant& v = variant_of(shape.plan, shape.tile);
   const Layout there = layout_of(shape, call.scratch);
-  digit_histograms::Job job = {.keys = call.front.keys,
-                               .count = call.count,
-                               .capacity = shape.capacity,
-                               .digits = {},
-                               .bins = static_cast<int>(2 * v.owners),
-                               .starts = there.starts,
-                               .blocks_done = there.blocks_done,
-                               .words = there.words,
-                               .words_per_tile = v.owners,
-                               .tile_items = v.tile_items};
+  digit_histograms::HistogramsJob job = {.keys = call.front.keys,
+                                         .count = call.count,
+                                         .capacity = shape.capacity,
+                                         .digits = {},
+                                         .bins = static_cast<int>(2 * v.owners),
+                                         .starts = there.starts,
+                                         .blocks_done = there.blocks_done,
+                                         .words = there.words,
+                                         .words_per_tile = v.owners,
+                                         .tile_items = v.tile_items};
   std::copy_n(shape.plan.digits.begin(), shape.plan.passes, job.digits);
   return job;
 }

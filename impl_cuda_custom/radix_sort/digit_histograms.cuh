@@ -33,7 +33,7 @@ constexpr int kBlocksAtOnce = 4;
 constexpr int kBlocksAtOnce = 2;
 #endif
 
-struct Job {
+struct HistogramsJob {
   const std::uint32_t* keys;
   const std::uint64_t* count;
   std::uint32_t capacity;
@@ -46,7 +46,7 @@ struct Job {
   std::uint32_t tile_items;
 };
 
-__device__ inline void reset_look_back(const Job& job, std::uint32_t count) {
+__device__ inline void reset_look_back(const HistogramsJob& job, std::uint32_t count) {
   const std::uint64_t tiles = look_back::kMargin + parts_of(count, job.tile_items);
   const std::uint64_t words = tiles * job.words_per_tile;
   const std::uint64_t threads = std::uint64_t{gridDim.x} * kThreads;
@@ -57,7 +57,7 @@ __device__ inline void reset_look_back(const Job& job, std::uint32_t count) {
 }
 
 template <int kPasses>
-__device__ void count_key(const Job& job, std::uint32_t key, std::uint32_t* counts) {
+__device__ void count_key(const HistogramsJob& job, std::uint32_t key, std::uint32_t* counts) {
 #pragma unroll
   for (int pass = 0; pass < kPasses; ++pass) {
     const Digit digit = job.digits[pass];
@@ -69,7 +69,7 @@ __device__ void count_key(const Job& job, std::uint32_t key, std::uint32_t* coun
 /// Counts the keys from `first` on. A whole step has no branch after each key, so its loads and
 /// counts overlap.
 template <int kPasses, bool kWhole>
-__device__ void count_step(const Job& job, std::uint32_t first, std::uint32_t count,
+__device__ void count_step(const HistogramsJob& job, std::uint32_t first, std::uint32_t count,
                            std::uint32_t* counts) {
   std::uint32_t keys[kItems];
 #pragma unroll
@@ -85,7 +85,7 @@ __device__ void count_step(const Job& job, std::uint32_t first, std::uint32_t co
 }
 
 template <int kPasses>
-__device__ void count_digits(const Job& job, std::uint32_t count, std::uint32_t* counts) {
+__device__ void count_digits(const HistogramsJob& job, std::uint32_t count, std::uint32_t* counts) {
   for (std::uint32_t first = blockIdx.x * kStep; first < count; first += gridDim.x * kStep) {
     if (count - first >= kStep) {
       count_step<kPasses, true>(job, first, count, counts);
@@ -129,7 +129,7 @@ __device__ void sum_bins(std::uint32_t* bins, int size) {
 /// Clears the block's counts ([kPasses][job.bins], shared by its kThreads threads) and its part of
 /// the look-back words. `count` is the number of keys to come.
 template <int kPasses>
-__device__ void open(const Job& job, std::uint32_t count, std::uint32_t* counts) {
+__device__ void open(const HistogramsJob& job, std::uint32_t count, std::uint32_t* counts) {
   for (int i = threadIdx.x; i < kPasses * job.bins; i += kThreads) counts[i] = 0;
   __syncthreads();
   reset_look_back(job, count);
@@ -138,7 +138,7 @@ __device__ void open(const Job& job, std::uint32_t count, std::uint32_t* counts)
 /// Adds the block's counts to the common ones. Returns true in the block that ends last: it has
 /// turned them into starts, and it sees what all other blocks have written.
 template <int kPasses>
-__device__ bool close(const Job& job, const std::uint32_t* counts) {
+__device__ bool close(const HistogramsJob& job, const std::uint32_t* counts) {
   __syncthreads();
   for (int i = threadIdx.x; i < kPasses * job.bins; i += kThreads) {
     if (counts[i] != 0) atomicAdd(&job.starts[i], counts[i]);
@@ -149,7 +149,7 @@ __device__ bool close(const Job& job, const std::uint32_t* counts) {
 }
 
 template <int kPasses>
-__global__ void __launch_bounds__(kThreads, kBlocksAtOnce) histograms_kernel(Job job) {
+__global__ void __launch_bounds__(kThreads, kBlocksAtOnce) histograms_kernel(HistogramsJob job) {
   extern __shared__ std::uint32_t counts[];
   const std::uint32_t count = pairs_to_sort(job.count, job.capacity);
   open<kPasses>(job, count, counts);
@@ -157,13 +157,13 @@ __global__ void __launch_bounds__(kThreads, kBlocksAtOnce) histograms_kernel(Job
   close<kPasses>(job, counts);
 }
 
-inline std::size_t shared_bytes(const Job& job, int passes) {
+inline std::size_t shared_bytes(const HistogramsJob& job, int passes) {
   return sizeof(std::uint32_t) * static_cast<std::size_t>(passes * job.bins);
 }
 
-inline void launch(const Job& job, int passes, cudaStream_t stream) {
-  constexpr void (*kByPasses[])(Job) = {histograms_kernel<1>, histograms_kernel<2>,
-                                        histograms_kernel<3>, histograms_kernel<4>};
+inline void launch(const HistogramsJob& job, int passes, cudaStream_t stream) {
+  constexpr void (*kByPasses[])(HistogramsJob) = {histograms_kernel<1>, histograms_kernel<2>,
+                                                  histograms_kernel<3>, histograms_kernel<4>};
   const std::uint32_t blocks = std::min(parts_of(job.capacity, kStep), kMostBlocks);
   kByPasses[passes - 1]<<<blocks, kThreads, shared_bytes(job, passes), stream>>>(job);
   cuda::check(cudaGetLastError());

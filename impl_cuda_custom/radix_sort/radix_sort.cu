@@ -62,7 +62,8 @@ std::uint64_t RadixSort::zeroed_words() const {
   return onesweep::zeroed_bytes({capacity_, plan_, tile_}) / sizeof(std::uint32_t);
 }
 
-digit_histograms::Job RadixSort::histograms(const std::uint64_t* count, void* scratch) const {
+digit_histograms::HistogramsJob RadixSort::histograms(const std::uint64_t* count,
+                                                      void* scratch) const {
   return onesweep::histograms_of({capacity_, plan_, tile_},
                                  {{}, {}, count, nullptr, scratch, nullptr});
 }

@@ -12,7 +12,7 @@
 namespace octocell::cuda_custom {
 
 namespace digit_histograms {
-struct Job;
+struct HistogramsJob;
 }
 
 enum class Variant : std::uint8_t { one_bit_split, digit_passes, reduce_then_scan, onesweep };
@@ -58,7 +58,8 @@ class RadixSort {
   /// expected.
   [[nodiscard]] int passes() const { return plan_.passes; }
   [[nodiscard]] std::uint64_t zeroed_words() const;
-  [[nodiscard]] digit_histograms::Job histograms(const std::uint64_t* count, void* scratch) const;
+  [[nodiscard]] digit_histograms::HistogramsJob histograms(const std::uint64_t* count,
+                                                           void* scratch) const;
   void launch_passes(KeysAndValues front, KeysAndValues back, const std::uint64_t* count,
                      const std::uint32_t* out_of_order, void* scratch, cudaStream_t stream) const;
 

@@ -52,7 +52,7 @@ std::uint64_t scratch_bytes(const Shape& shape);
 void launch(const Shape& shape, const Call& call);
 // launch() in parts: clear the first bytes of scratch, count digits, run the passes.
 std::uint64_t zeroed_bytes(const Shape& shape);
-digit_histograms::Job histograms_of(const Shape& shape, const Call& call);
+digit_histograms::HistogramsJob histograms_of(const Shape& shape, const Call& call);
 void launch_passes(const Shape& shape, const Call& call);
 }  // namespace onesweep
 

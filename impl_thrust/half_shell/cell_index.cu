@@ -36,7 +36,7 @@ struct BeginsRow {
 struct RowAt {
   const Levels* levels;
   const std::uint32_t* ids;
-  OCTOCELL_HD Row operator()(std::uint32_t begin) const {
+  OCTOCELL_HD ColumnRow operator()(std::uint32_t begin) const {
     return {first_id_of_row(*levels, ids[begin]), begin};
   }
 };
@@ -45,7 +45,7 @@ struct CandidatesOf {
   Shell shell;
   OCTOCELL_HD std::uint64_t operator()(std::uint64_t k) const {
     std::uint64_t sum = 0;
-    shell.for_each_run(static_cast<std::uint32_t>(k), [&](Run run) { sum += run.size(); });
+    shell.for_each_run(static_cast<std::uint32_t>(k), [&](IndexRange run) { sum += run.size(); });
     return sum;
   }
 };
@@ -60,9 +60,10 @@ void cell_index(Workspace<System>& w) {
       w.system.policy(), Positions(0), Positions(w.id_count), begins, BeginsRow{w.levels, ids});
   w.cell_count = static_cast<std::uint64_t>(last - begins);
   if (!w.may_test_pairs()) return;
-  Row* const rows_end = thrust::transform(w.system.policy(), begins, begins + w.cell_count,
-                                          w.rows.data(), RowAt{w.levels, ids});
-  thrust::fill_n(w.system.policy(), rows_end, 1, Row{~0U, static_cast<std::uint32_t>(w.id_count)});
+  ColumnRow* const rows_end = thrust::transform(w.system.policy(), begins, begins + w.cell_count,
+                                                w.rows.data(), RowAt{w.levels, ids});
+  thrust::fill_n(w.system.policy(), rows_end, 1,
+                 ColumnRow{~0U, static_cast<std::uint32_t>(w.id_count)});
   gather_members(w);
   w.candidates = thrust::transform_reduce(w.system.policy(), Positions(0), Positions(w.id_count),
                                           CandidatesOf{shell_of(w)}, std::uint64_t{0},

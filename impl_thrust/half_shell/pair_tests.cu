@@ -24,7 +24,7 @@ struct ShellTest {
   OCTOCELL_HD void run(std::uint64_t k, OnSure on_sure, OnUncertain on_uncertain) const {
     const Object a = objects[k];
     const Sphere p = shell.members[k];
-    shell.for_each_run(static_cast<std::uint32_t>(k), [&](Run others) {
+    shell.for_each_run(static_cast<std::uint32_t>(k), [&](IndexRange others) {
       for (std::uint32_t j = others.begin; j < others.end; ++j) {
         const Sphere q = shell.members[j];
         if (!may_overlap(test, p, q)) continue;

@@ -11,35 +11,16 @@
 #include <cstdint>
 
 #include "core/faults.hpp"
+#include "core/half_shell.hpp"
 #include "impl_thrust/half_shell/half_shell.cuh"
 
 namespace octocell::on_thrust::half_shell {
 
-/// Spheres [begin, end), in the order of their columns.
-struct Run {
-  std::uint32_t begin;
-  std::uint32_t end;
-  [[nodiscard]] OCTOCELL_HD std::uint32_t size() const { return begin < end ? end - begin : 0; }
-};
-
 /// The columns near a sphere in one row.
 struct Window {
-  Run near;
-  Run across;  // what lies beyond the seam of a wrapped axis
+  IndexRange near;
+  IndexRange across;  // what lies beyond the seam of a wrapped axis
 };
-
-/// Moves a coordinate by one step. Returns false beyond the border of an axis that does not wrap.
-OCTOCELL_HD bool step_along(const Grid& grid, int axis, int step, std::uint32_t& at) {
-  const std::uint32_t last = grid.period(axis) - 1;
-  const bool leaves = (step < 0 && at == 0) || (step > 0 && at == last);
-  if (leaves && !grid.wraps(axis)) return false;
-  if (leaves) {
-    at = step < 0 ? last : 0;
-  } else {
-    at += static_cast<std::uint32_t>(step);
-  }
-  return true;
-}
 
 /// Returns the cell of a centre as ids number it.
 OCTOCELL_HD Cell wrapped_cell(const Grid& grid, const Sphere& s) {
@@ -51,7 +32,7 @@ struct Shell {
   const Levels* levels;
   const std::uint32_t* ids;  // sorted
   const Sphere* members;     // in the same order
-  const Row* rows;           // [row_count + 1]
+  const ColumnRow* rows;     // [row_count + 1]
   std::uint32_t row_count;
 
   /// Calls visit(run) for runs that together hold each partner that sphere k must search for, and
@@ -62,18 +43,16 @@ struct Shell {
     for (int l = own; l < levels->count; ++l) {
       const Level& level = levels->level[l];
       const Cell cell = wrapped_cell(level.grid, members[k]);
-      for (int z = -1; z <= 1; ++z) {
-        for (int y = -1; OCTOCELL_FAULT(thrust_shell_row_missing, y < 1, y <= 1); ++y) {
-          // Spheres of its own level in the other half of the shell find this one in theirs.
-          if (l == own && (z < 0 || (z == 0 && y < 0))) continue;
-          const Row* const row = row_at(level, cell, y, z);
-          if (row == nullptr) continue;
-          const bool within_row = l == own && y == 0 && z == 0;
-          const Window window = within_row ? window_behind(level, *row, cell.x, k)
-                                           : window_around(level, *row, cell.x);
-          visit(window.near);
-          visit(window.across);
-        }
+      const int steps = l == own ? kShellRows : kRowsAround;
+      for (int s = 0; s < OCTOCELL_FAULT(thrust_shell_row_missing, steps - 1, steps); ++s) {
+        const RowStep step = l == own ? shell_row(s) : row_around(s);
+        const ColumnRow* const row = row_at(level, cell, step);
+        if (row == nullptr) continue;
+        const bool within_row = l == own && s == 0;
+        const Window window =
+            within_row ? window_behind(level, *row, cell.x, k) : window_around(level, *row, cell.x);
+        visit(window.near);
+        visit(window.across);
       }
     }
   }
@@ -81,9 +60,11 @@ struct Shell {
  private:
   /// Returns the row y and z cells away from `cell`; null if that row has no spheres or does not
   /// exist.
-  [[nodiscard]] OCTOCELL_HD const Row* row_at(const Level& level, Cell cell, int y, int z) const {
+  [[nodiscard]] OCTOCELL_HD const ColumnRow* row_at(const Level& level, Cell cell,
+                                                    RowStep step) const {
     const Grid& grid = level.grid;
-    if (!step_along(grid, 1, y, cell.y) || !step_along(grid, 2, z, cell.z)) return nullptr;
+    if (!step_along(grid, 1, step.y, cell.y) || !step_along(grid, 2, step.z, cell.z))
+      return nullptr;
     const std::uint32_t first_id = level.first_id + grid.stride_y * cell.y + grid.stride_z * cell.z;
     const std::uint32_t at =
         first_not(0, row_count, [&](std::uint32_t r) { return rows[r].first_id < first_id; });
@@ -91,8 +72,8 @@ struct Shell {
   }
 
   /// Returns the spheres of a row in columns [first, last].
-  [[nodiscard]] OCTOCELL_HD Run in_columns(const Row& row, std::uint32_t first,
-                                           std::uint32_t last) const {
+  [[nodiscard]] OCTOCELL_HD IndexRange in_columns(const ColumnRow& row, std::uint32_t first,
+                                                  std::uint32_t last) const {
     const std::uint32_t row_end = (&row + 1)->begin;
     const std::uint32_t begin = first_not(
         row.begin, row_end, [&](std::uint32_t i) { return ids[i] < row.first_id + first; });
@@ -108,7 +89,7 @@ struct Shell {
   }
 
   /// Returns the columns from level.column_reach before `column` to level.column_reach behind it.
-  [[nodiscard]] OCTOCELL_HD Window window_around(const Level& level, const Row& row,
+  [[nodiscard]] OCTOCELL_HD Window window_around(const Level& level, const ColumnRow& row,
                                                  std::uint32_t column) const {
     const std::uint32_t columns = level.grid.period(0);
     if (all_near(level)) return {{row.begin, (&row + 1)->begin}, {0, 0}};
@@ -126,12 +107,12 @@ struct Shell {
 
   /// Returns the spheres of its own row that follow sphere k, up to level.column_reach columns
   /// behind it.
-  [[nodiscard]] OCTOCELL_HD Window window_behind(const Level& level, const Row& row,
+  [[nodiscard]] OCTOCELL_HD Window window_behind(const Level& level, const ColumnRow& row,
                                                  std::uint32_t column, std::uint32_t k) const {
     const std::uint32_t columns = level.grid.period(0);
     if (all_near(level)) return {{k + 1, (&row + 1)->begin}, {0, 0}};
     const bool behind_last = column + level.column_reach >= columns;
-    const Run near =
+    const IndexRange near =
         in_columns(row, column, behind_last ? columns - 1 : column + level.column_reach);
     Window window = {{k + 1, near.end}, {0, 0}};
     if (behind_last && level.grid.wraps(0)) {

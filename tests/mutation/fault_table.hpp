@@ -91,7 +91,7 @@
   fault(cuda_layer_missing, "the row above is met instead of the layer behind") \
   fault(cuda_blocks_missing, "half of the spheres have no thread") \
   fault(cuda_uncertain_pairs_in_pairs_counter, "uncertain pairs are counted with the pairs") \
-  fault(cuda_prediction_kept, "a frame takes the course of the last, whatever it finds")
+  fault(cuda_prediction_kept, "a frame has the frame mode of the last, whatever it finds")
 // clang-format on
 
 namespace octocell::faults {

@@ -2,21 +2,14 @@
 // Runs a finder with given buffers, for tests.
 #pragma once
 
-#include <vector>
-
 #include "core/finder.hpp"
 #include "core/planner/planner.hpp"
+#include "harness/engine/finder_answer.hpp"
 #include "harness/scenes/scenes.hpp"
 
 namespace octocell {
 
-struct Answer {
-  Counts counts;
-  PairDigest digest;
-  std::vector<Pair> pairs;
-};
-
-inline Answer ask(PairFinder& finder, const Plan& plan, SceneView scene) {
+inline FinderAnswer ask(PairFinder& finder, const Plan& plan, SceneView scene) {
   HostClock clock;
   finder.upload(plan, scene);
   finder.find_pairs(clock);
@@ -32,8 +25,8 @@ inline Plan roomy_plan(const Scene& scene, const PlanOptions& options) {
 }
 
 /// Repeats with larger buffers, like find_completely().
-inline Answer ask_until_it_fits(PairFinder& finder, Plan plan, SceneView scene) {
-  Answer answer = ask(finder, plan, scene);
+inline FinderAnswer ask_until_it_fits(PairFinder& finder, Plan plan, SceneView scene) {
+  FinderAnswer answer = ask(finder, plan, scene);
   while (!fits(answer.counts, plan.capacity, plan.count_only)) {
     plan = grow(plan, answer.counts);
     answer = ask(finder, plan, scene);

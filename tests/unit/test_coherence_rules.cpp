@@ -26,13 +26,13 @@ class Model {
 
   FrameMode play(const Spheres& now) {
     if (now.size() != before_.size()) start_again(now);
-    const Trial trial = trial_of(kept_, true, allowed_);
-    Kept seen = kept_;
+    const FrameTasks tasks = tasks_of(history_, true, allowed_);
+    FrameHistory seen = history_;
     std::uint32_t found = 0;
-    for (std::size_t i = 0; i < now.size(); ++i) found |= look_at(trial, now[i], i);
+    for (std::size_t i = 0; i < now.size(); ++i) found |= look_at(tasks, now[i], i);
     seen.still_now = std::ranges::equal(now, before_, same_bits) ? kSampled : 0;
-    const FrameMode mode = mode_of(trial, found);
-    kept_ = after(seen, trial, mode, allowed_, growth_);
+    const FrameMode mode = mode_of(tasks, found);
+    history_ = after(seen, tasks, mode, allowed_, growth_);
     answer(now, mode);
     before_ = now;
     return mode;
@@ -44,24 +44,24 @@ class Model {
 
  private:
   void start_again(const Spheres& now) {
-    kept_ = {};
-    copy_ = searched_ = before_ = Spheres(now.size());
+    history_ = {};
+    snapshot_ = searched_ = before_ = Spheres(now.size());
     flags_ = flags_of(now.size(), static_share_, 11);
   }
 
-  std::uint32_t look_at(const Trial& trial, const Sphere& now, std::size_t i) {
-    if (trial.keep) copy_[i] = now;
-    if (trial.compare && same_bits(now, copy_[i])) return 0;
-    if (!trial.skin) return kDiffers;
-    const float growth = growth_of(flags(), static_cast<std::uint32_t>(i), kept_.growth);
+  std::uint32_t look_at(const FrameTasks& tasks, const Sphere& now, std::size_t i) {
+    if (tasks.take_snapshot) snapshot_[i] = now;
+    if (tasks.compare && same_bits(now, snapshot_[i])) return 0;
+    if (!tasks.check_skin) return kDiffers;
+    const float growth = growth_of(flags(), static_cast<std::uint32_t>(i), history_.growth);
     const Verdict verdict = within_skin(searched_[i], now, growth);
     if (growth == 0.0F) {
       EXPECT_EQ(verdict == Verdict::overlap, same_bits(searched_[i], now));
       return verdict == Verdict::overlap ? kDiffers : kDiffers | kLeft;
     }
-    const Step step = step_of(searched_[i], now, growth);
+    const SkinTest test = skin_test_of(searched_[i], now, growth);
     const bool truth =
-        reference::overlap(step.ball, step.point) && bits_of(searched_[i].r) == bits_of(now.r);
+        reference::overlap(test.ball, test.point) && bits_of(searched_[i].r) == bits_of(now.r);
     if (verdict != Verdict::uncertain) {
       EXPECT_EQ(verdict == Verdict::overlap, truth);
     }
@@ -72,7 +72,7 @@ class Model {
     if (mode == FrameMode::search) {
       pairs_ = truth(now);
       searched_ = now;
-      if (kept_.list_made != 0) build_neighbor_list(now);
+      if (history_.list_made != 0) build_neighbor_list(now);
     }
     if (mode != FrameMode::neighbor_list) return;
     pairs_.clear();
@@ -86,7 +86,7 @@ class Model {
       grown[i].r = radius_in_search(grown[i], flags(), i, growth_);
     }
     near_ = truth(grown);
-    kept_.neighbor_list = near_.size();
+    history_.neighbor_list = near_.size();
   }
 
   [[nodiscard]] const Flags* flags() const { return flags_.empty() ? nullptr : flags_.data(); }
@@ -95,9 +95,9 @@ class Model {
   float growth_;
   double static_share_;
   AllFlags flags_;
-  Kept kept_ = {};
+  FrameHistory history_ = {};
   Spheres before_;
-  Spheres copy_;
+  Spheres snapshot_;
   Spheres searched_;
   std::vector<Pair> near_;
   std::vector<Pair> pairs_;
@@ -131,49 +131,49 @@ TEST_P(SharesOfStatic, TakeOverOnlyWhatIsProved) {
 INSTANTIATE_TEST_SUITE_P(CoherenceRules, SharesOfStatic, testing::Values(-1.0, 0.0, 0.9));
 
 constexpr Allowed kAll = {true, true, 100};
-Kept all_kept() {
-  Kept kept = {};
-  kept.frames = 7;
-  kept.snapshot_holds = kept.list_made = 1;
-  kept.growth = 0.5F;
-  kept.neighbor_list = 100;
-  return kept;
+FrameHistory all_known() {
+  FrameHistory history = {};
+  history.frames = 7;
+  history.snapshot_holds = history.list_made = 1;
+  history.growth = 0.5F;
+  history.neighbor_list = 100;
+  return history;
 }
 
 TEST(CoherenceRules, AFrameThatFailedIsNoGround) {
-  const Trial trial = trial_of(all_kept(), false, kAll);
-  EXPECT_FALSE(trial.compare || trial.skin);
-  EXPECT_EQ(mode_of(trial, 0), FrameMode::search);
+  const FrameTasks tasks = tasks_of(all_known(), false, kAll);
+  EXPECT_FALSE(tasks.compare || tasks.check_skin);
+  EXPECT_EQ(mode_of(tasks, 0), FrameMode::search);
 }
 
 TEST(CoherenceRules, AListThatIsTooShortIsNoGround) {
-  Kept kept = all_kept();
-  EXPECT_TRUE(trial_of(kept, true, kAll).skin);
-  ++kept.neighbor_list;
-  EXPECT_FALSE(trial_of(kept, true, kAll).skin);
+  FrameHistory history = all_known();
+  EXPECT_TRUE(tasks_of(history, true, kAll).check_skin);
+  ++history.neighbor_list;
+  EXPECT_FALSE(tasks_of(history, true, kAll).check_skin);
 }
 
 TEST(CoherenceRules, NothingIsTriedThatIsForbiddenOrUnknown) {
-  const Trial forbidden = trial_of(all_kept(), true, {});
-  EXPECT_FALSE(forbidden.compare || forbidden.skin || forbidden.keep);
-  const Trial unknown = trial_of({}, true, kAll);
-  EXPECT_FALSE(unknown.compare || unknown.skin);
-  EXPECT_TRUE(unknown.keep);
+  const FrameTasks forbidden = tasks_of(all_known(), true, {});
+  EXPECT_FALSE(forbidden.compare || forbidden.check_skin || forbidden.take_snapshot);
+  const FrameTasks unknown = tasks_of({}, true, kAll);
+  EXPECT_FALSE(unknown.compare || unknown.check_skin);
+  EXPECT_TRUE(unknown.take_snapshot);
 }
 
-TEST(CoherenceRules, ACopyIsMadeOnceNothingMoves) {
-  Kept kept = all_kept();
-  kept.snapshot_holds = 0;
-  EXPECT_FALSE(trial_of(kept, true, kAll).keep);
-  kept.still = kSampled;
-  EXPECT_TRUE(trial_of(kept, true, kAll).keep);
+TEST(CoherenceRules, ASnapshotIsTakenOnceNothingMoves) {
+  FrameHistory history = all_known();
+  history.snapshot_holds = 0;
+  EXPECT_FALSE(tasks_of(history, true, kAll).take_snapshot);
+  history.still = kSampled;
+  EXPECT_TRUE(tasks_of(history, true, kAll).take_snapshot);
 }
 
-TEST(CoherenceRules, WhatIsSeenDecidesTheCourse) {
-  const Trial trial = trial_of(all_kept(), true, kAll);
-  EXPECT_EQ(mode_of(trial, 0), FrameMode::unchanged);
-  EXPECT_EQ(mode_of(trial, kDiffers), FrameMode::neighbor_list);
-  EXPECT_EQ(mode_of(trial, kDiffers | kLeft), FrameMode::search);
+TEST(CoherenceRules, WhatIsSeenDecidesTheMode) {
+  const FrameTasks tasks = tasks_of(all_known(), true, kAll);
+  EXPECT_EQ(mode_of(tasks, 0), FrameMode::unchanged);
+  EXPECT_EQ(mode_of(tasks, kDiffers), FrameMode::neighbor_list);
+  EXPECT_EQ(mode_of(tasks, kDiffers | kLeft), FrameMode::search);
 }
 
 TEST(CoherenceRules, AZeroOfAnotherSignIsAnotherSphere) {

@@ -184,7 +184,7 @@ TEST(HalfShellRows, HoldEveryPairOnceHoweverTheyAreCut) {
         for (const double diameters : {1.0, 1.9, 5.0}) {
           for (const int bits : {12, 28}) {
             const Plan plan = with_levels(planned, scene, {levels, columns, diameters, bits});
-            const Answer answer = ask_until_it_fits(*make_backend(), plan, scene.view());
+            const FinderAnswer answer = ask_until_it_fits(*make_backend(), plan, scene.view());
             EXPECT_EQ(answer.digest, truth)
                 << fmt::format("scene {}, {} levels, {} columns, {} diameters, {} bits", number,
                                levels, columns, diameters, bits);
@@ -277,7 +277,7 @@ TEST(HalfShellSkips, DigitsThatAllIdsShareAreNotSortedBy) {
 TEST(RowCursor, FindsWhatALinearSearchFinds) {
   using half_shell::RowCursor;
   std::mt19937 random(7);
-  std::vector<cpu::Row> rows;
+  std::vector<ColumnRow> rows;
   std::uint32_t id = 0;
   for (std::uint32_t k = 0; k < 500; ++k) {
     id += 1 + static_cast<std::uint32_t>(random() % 9);
@@ -287,7 +287,7 @@ TEST(RowCursor, FindsWhatALinearSearchFinds) {
   RowCursor cursor(rows.data(), rows.data() + 500);
   for (int k = 0; k < 20000; ++k) {
     const std::uint64_t wanted = random() % (id + 10);
-    const cpu::Row* expected = rows.data();
+    const ColumnRow* expected = rows.data();
     while (expected != rows.data() + 500 && expected->first_id < wanted) ++expected;
     ASSERT_EQ(cursor.not_before(wanted), expected) << wanted;
   }

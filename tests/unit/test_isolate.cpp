@@ -68,7 +68,7 @@ TEST(Isolate, GivesTheSameAnswerAsWithoutIt) {
     const Outcome outcome = find_completely(*finder, scene.view(), how.plan_options(2));
     const std::vector<Pair> pairs = finder->download();
     const PairDigest digest = finder->digest();
-    const IsolatedAnswer answer =
+    const FinderAnswer answer =
         find_isolated(how.backend->create, scene.view(), how.plan_options(1), 120s);
     EXPECT_EQ(answer.pairs, pairs) << how.label();
     EXPECT_EQ(answer.digest, digest) << how.label();
@@ -119,7 +119,7 @@ TEST(Isolate, SaysWhatIsOverTheCandidateLimit) {
   const Implementation how = implementations("fcl_naive").front();
   PlanOptions options = how.plan_options();
   options.candidate_limit = 1000;
-  const IsolatedAnswer answer = find_isolated(how.backend->create, scene.view(), options, 30s);
+  const FinderAnswer answer = find_isolated(how.backend->create, scene.view(), options, 30s);
   EXPECT_TRUE(answer.counts.over_candidate_limit);
   EXPECT_EQ(answer.counts.candidates, 499500U);
   EXPECT_TRUE(answer.pairs.empty());

@@ -82,7 +82,7 @@ std::unique_ptr<PairFinder> make_faulty() {
 
 /// How the named entry judges impl_cpu with this fault.
 template <Fault fault>
-Row row_of(std::string_view id) {
+EntryResult row_of(std::string_view id) {
   static const BackendInfo backend = {
       .name = "faulty",
       .kind = Kind::backend,
@@ -100,14 +100,14 @@ Row row_of(std::string_view id) {
 
 TEST(Judge, FindsNoFaultWhereThereIsNone) {
   for (const char* id : {"A1", "B9", "C20", "F31", "F33", "G36", "G38", "H41", "M7"}) {
-    const Row row = row_of<Fault::none>(id);
+    const EntryResult row = row_of<Fault::none>(id);
     EXPECT_EQ(row.status(), Status::exact) << id << ": " << row.worst_case << ": " << row.reason;
     EXPECT_FALSE(row.failed());
   }
 }
 
 TEST(Judge, CountsWhatIsMissedMadeUpAndRepeated) {
-  const Row lossy = row_of<Fault::loses_a_pair>("A1");
+  const EntryResult lossy = row_of<Fault::loses_a_pair>("A1");
   EXPECT_EQ(lossy.difference.missed, 3U) << "one in each of three cases";
   EXPECT_TRUE(lossy.failed());
   EXPECT_EQ(lossy.worst_case, "1");
@@ -131,7 +131,7 @@ TEST(Judge, NoticesFramesAndScenesThatAreForgotten) {
 }
 
 TEST(Judge, LetsNoRuleForAnySceneRefuse) {
-  const Row row = row_of<Fault::refuses>("A1");
+  const EntryResult row = row_of<Fault::refuses>("A1");
   EXPECT_TRUE(row.failed());
   EXPECT_EQ(row.reason, "not today");
 }

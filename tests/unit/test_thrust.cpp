@@ -50,9 +50,9 @@ TEST_P(Thrust, CountsWhatImplCpuCounts) {
   for (const char* spec : {"gas:n=0", "gas:n=1", "gas:n=2", "gas:n=5001", "dense:n=3000",
                            "poly:n=5000", "giant:n=3000", "lattice:n=2744"}) {
     const Scene scene = generate(spec);
-    const Answer truth = ask(*cpu_, roomy_plan(scene, options()), scene.view());
+    const FinderAnswer truth = ask(*cpu_, roomy_plan(scene, options()), scene.view());
     for (const int threads : {1, 2, 3, 7}) {
-      const Answer answer = ask(*ours_, roomy_plan(scene, options(threads)), scene.view());
+      const FinderAnswer answer = ask(*ours_, roomy_plan(scene, options(threads)), scene.view());
       if (GetParam().method == Method::half_shell) {
         // impl_cpu looks up the windows of several spheres as one, and leaves out what is far from
         // a row's border, so it meets other candidates.
@@ -81,7 +81,7 @@ TEST_P(Thrust, SaysWhatAFullBufferNeedsTheFirstTime) {
     for (const auto& [capacity, count] : kBuffers) {
       Plan small = roomy;
       small.capacity.*capacity = 1;
-      const Answer answer = ask(*ours_, small, scene.view());
+      const FinderAnswer answer = ask(*ours_, small, scene.view());
       EXPECT_EQ(answer.counts.*count, needed.*count) << spec;
       EXPECT_EQ(fits(answer.counts, small.capacity, false), needed.*count <= 1) << spec;
     }
@@ -97,7 +97,7 @@ TEST_P(Thrust, GrowsFromNoBuffersAtAll) {
     const auto finder = on_thrust::make_host_backend();
     EXPECT_EQ(ask_until_it_fits(*finder, plan, scene.view()).digest, digest) << spec;
     plan.count_only = true;
-    const Answer counted = ask_until_it_fits(*finder, plan, scene.view());
+    const FinderAnswer counted = ask_until_it_fits(*finder, plan, scene.view());
     EXPECT_EQ(counted.digest, digest) << spec;
     EXPECT_TRUE(counted.pairs.empty()) << spec;
   }
@@ -106,7 +106,7 @@ TEST_P(Thrust, GrowsFromNoBuffersAtAll) {
 TEST_P(Thrust, FindsTheSameAgain) {
   for (const char* spec : {"dense:n=5001", "poly:n=5000", "lattice:n=2744"}) {
     const Scene scene = generate(spec);
-    const Answer first = ask(*ours_, roomy_plan(scene, options(3)), scene.view());
+    const FinderAnswer first = ask(*ours_, roomy_plan(scene, options(3)), scene.view());
     HostClock clock;
     ours_->find_pairs(clock);
     expect_same_counts(ours_->counts(), first.counts, spec);
@@ -117,10 +117,10 @@ TEST_P(Thrust, FindsTheSameAgain) {
 TEST_P(Thrust, StartsNoTestsOverTheCandidateLimit) {
   const Scene scene = generate("dense:n=2000");
   Plan plan = roomy_plan(scene, options());
-  const Answer all = ask(*ours_, plan, scene.view());
+  const FinderAnswer all = ask(*ours_, plan, scene.view());
   for (const std::uint64_t limit : {all.counts.candidates, all.counts.candidates - 1}) {
     plan.candidate_limit = limit;
-    const Answer answer = ask(*ours_, plan, scene.view());
+    const FinderAnswer answer = ask(*ours_, plan, scene.view());
     const bool over = limit < all.counts.candidates;
     EXPECT_EQ(answer.counts.candidates, all.counts.candidates);
     EXPECT_EQ(answer.counts.over_candidate_limit, over);
@@ -131,10 +131,10 @@ TEST_P(Thrust, StartsNoTestsOverTheCandidateLimit) {
 TEST_P(Thrust, ATangentLatticeIsCountedWhereItsUncertainPairsDoNotAllFit) {
   const Scene scene = generate("lattice:n=1000");
   Plan plan = roomy_plan(scene, options());
-  const Answer all = ask(*ours_, plan, scene.view());
+  const FinderAnswer all = ask(*ours_, plan, scene.view());
   for (const std::uint64_t room : {all.counts.pairs, all.counts.pairs - 1}) {
     plan.capacity.pairs = room;
-    const Answer answer = ask(*ours_, plan, scene.view());
+    const FinderAnswer answer = ask(*ours_, plan, scene.view());
     EXPECT_EQ(answer.counts.pairs, all.counts.pairs);
     EXPECT_EQ(answer.pairs.size(), room == all.counts.pairs ? room : 0U);
   }
@@ -179,7 +179,7 @@ TEST(ThrustLowestCell, IsExactForAnyCellSideAndWhereIdsWrap) {
     for (const double side : {0.15, 0.5, 3.0, 1e3, 1e30}) {
       const Plan plan = make_plan(measure(scene.view()), {.cell_side = side});
       const auto finder = on_thrust::make_host_backend();
-      const Answer answer = ask_until_it_fits(*finder, plan, scene.view());
+      const FinderAnswer answer = ask_until_it_fits(*finder, plan, scene.view());
       EXPECT_EQ(answer.digest, truth) << spec << ", side " << side;
     }
   }
@@ -217,8 +217,8 @@ TEST(ThrustOnCuda, SaysWhyItIsNotHereOrAnswersAsTheHostDoes) {
          {"gas:n=0", "gas:n=20000", "lattice:n=2744", "poly:n=20000", "giant:n=20000"}) {
       const Scene scene = generate(spec);
       const Plan plan = roomy_plan(scene, {.method = way.method, .rule = way.rule});
-      const Answer there = ask(*device, plan, scene.view());
-      const Answer here = ask(*host, plan, scene.view());
+      const FinderAnswer there = ask(*device, plan, scene.view());
+      const FinderAnswer here = ask(*host, plan, scene.view());
       expect_same_counts(there.counts, here.counts, spec);
       EXPECT_EQ(there.digest, here.digest) << spec;
       EXPECT_EQ(there.pairs, here.pairs) << spec;

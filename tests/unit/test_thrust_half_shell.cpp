@@ -62,7 +62,7 @@ TEST(ThrustHalfShell, LooksOnceAtAllPairsOfAdjacentCellsHoweverTheyAreCut) {
           for (const int bits : {9, 12, 28}) {
             const Plan plan = with_levels(planned, scene, {levels, columns, diameters, bits});
             const auto finder = on_thrust::make_host_backend();
-            const Answer answer = ask_until_it_fits(*finder, plan, scene.view());
+            const FinderAnswer answer = ask_until_it_fits(*finder, plan, scene.view());
             const std::string what =
                 fmt::format("scene {}, {} levels, {} columns, {} diameters, {} bits", scene_number,
                             levels, columns, diameters, bits);

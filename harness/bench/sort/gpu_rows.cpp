@@ -25,7 +25,7 @@ GpuRows::GpuRows(const SortCase& what, const std::vector<std::size_t>& algorithm
   for (const std::size_t algorithm : algorithms) rows_.push_back({.algorithm = algorithm});
 }
 
-void GpuRows::run(Row& row, bool keep_time) {
+void GpuRows::run(GpuRow& row, bool keep_time) {
   const GpuRun result = case_->run(row.algorithm);
   if (result.fault) {
     row.wrong = result.fault;
@@ -39,25 +39,25 @@ void GpuRows::run(Row& row, bool keep_time) {
 }
 
 void GpuRows::verify() {
-  for (Row& row : rows_) run(row, false);
+  for (GpuRow& row : rows_) run(row, false);
 }
 
 void GpuRows::measure(int round) {
-  std::vector<Row*> order;
-  for (Row& row : rows_) order.push_back(&row);
+  std::vector<GpuRow*> order;
+  for (GpuRow& row : rows_) order.push_back(&row);
   std::shuffle(order.begin(), order.end(), std::mt19937(static_cast<unsigned>(round)));
-  for (Row* row : order) {
+  for (GpuRow* row : order) {
     if (!row->wrong && !row->skipped) run(*row, true);
   }
 }
 
 bool GpuRows::any_wrong() const {
-  return std::any_of(rows_.begin(), rows_.end(), [](const Row& row) { return !!row.wrong; });
+  return std::any_of(rows_.begin(), rows_.end(), [](const GpuRow& row) { return !!row.wrong; });
 }
 
 std::vector<nlohmann::ordered_json> GpuRows::json() const {
   std::vector<nlohmann::ordered_json> all;
-  for (const Row& row : rows_) {
+  for (const GpuRow& row : rows_) {
     all.push_back(sort_row_json({.name = gpu_row_name(row.algorithm, what_),
                                  .algorithm = gpu_algorithms()[row.algorithm],
                                  .device = "gpu",

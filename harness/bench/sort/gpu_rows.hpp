@@ -32,17 +32,17 @@ class GpuRows {
   [[nodiscard]] std::vector<nlohmann::ordered_json> json() const;
 
  private:
-  struct Row {
+  struct GpuRow {
     std::size_t algorithm;
     std::vector<double> total_ms = {};
     std::optional<std::string> skipped = {};
     std::optional<std::string> wrong = {};
   };
-  void run(Row& row, bool keep_time);
+  void run(GpuRow& row, bool keep_time);
 
   SortCase what_;
   std::unique_ptr<GpuSortCase> case_;
-  std::vector<Row> rows_;
+  std::vector<GpuRow> rows_;
 };
 
 }  // namespace octocell::bench

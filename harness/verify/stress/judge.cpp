@@ -13,6 +13,7 @@
 
 #include "core/error.hpp"
 #include "harness/engine/find_completely.hpp"
+#include "harness/engine/finder_answer.hpp"
 #include "harness/engine/isolate.hpp"
 #include "harness/verify/stress/earlier.hpp"
 
@@ -21,14 +22,8 @@ namespace {
 
 using Create = std::function<std::unique_ptr<PairFinder>()>;
 
-struct Answer {
-  Counts counts;
-  PairDigest digest;
-  std::vector<Pair> pairs;
-};
-
 /// One implementation, one case, and what is required: the data that the functions below share.
-struct Trial {
+struct Attempt {
   const Implementation& how;
   const Case& scene;
   Truth& truth;
@@ -41,36 +36,37 @@ struct Trial {
   }
 };
 
-Answer find_here(PairFinder& finder, SceneView scene, const PlanOptions& options) {
-  Answer answer = {find_completely(finder, scene, options).counts, {}, {}};
+FinderAnswer find_here(PairFinder& finder, SceneView scene, const PlanOptions& options) {
+  FinderAnswer answer = {find_completely(finder, scene, options).counts, {}, {}};
   if (answer.counts.over_candidate_limit) return answer;
   answer.digest = finder.digest();
   if (!options.count_only) answer.pairs = finder.download();
   return answer;
 }
 
-Answer find(const Trial& trial, const Create& create, const PlanOptions& options) {
-  const SceneView scene = trial.scene.view();
-  if (!trial.how.is_baseline()) return find_here(*create(), scene, options);
-  IsolatedAnswer answer = find_isolated(create, scene, options, trial.limits.library_time);
-  return {answer.counts, answer.digest, std::move(answer.pairs)};
+FinderAnswer find(const Attempt& attempt, const Create& create, const PlanOptions& options) {
+  const SceneView scene = attempt.scene.view();
+  if (!attempt.how.is_baseline()) return find_here(*create(), scene, options);
+  return find_isolated(create, scene, options, attempt.limits.library_time);
 }
 
-Verdict wrong(std::string reason) { return {.status = Status::wrong, .reason = std::move(reason)}; }
+CaseVerdict wrong(std::string reason) {
+  return {.status = Status::wrong, .reason = std::move(reason)};
+}
 
-Verdict compared(const Trial& trial, const Answer& answer) {
-  Verdict verdict = {.pairs = answer.digest.count, .candidates = answer.counts.candidates};
+CaseVerdict compared(const Attempt& attempt, const FinderAnswer& answer) {
+  CaseVerdict verdict = {.pairs = answer.digest.count, .candidates = answer.counts.candidates};
   if (answer.counts.over_candidate_limit) {
     verdict.status = Status::skipped;
     verdict.reason = fmt::format("{} candidates", answer.counts.candidates);
     return verdict;
   }
-  verdict.difference = reference::compare(answer.pairs, trial.truth.pairs);
+  verdict.difference = reference::compare(answer.pairs, attempt.truth.pairs);
   if (!verdict.difference.exact()) {
     verdict.status = Status::wrong;
     verdict.reason = fmt::format("missed {}, false {}, duplicates {}", verdict.difference.missed,
                                  verdict.difference.false_pairs, verdict.difference.duplicates);
-  } else if (answer.digest != *trial.truth.digest) {
+  } else if (answer.digest != *attempt.truth.digest) {
     return wrong("the digest is not that of the pairs");
   }
   return verdict;
@@ -78,22 +74,23 @@ Verdict compared(const Trial& trial, const Answer& answer) {
 
 /// Judges the scene as planned. If its lattice lets the plan skip uncertain pairs, judges it again
 /// with them.
-Verdict judge_pairs(const Trial& trial) {
-  Verdict verdict = compared(trial, find(trial, trial.how.backend->create, trial.options()));
-  if (verdict.status == Status::exact && !trial.how.is_baseline()) {
-    PlanOptions uncertain = trial.options();
+CaseVerdict judge_pairs(const Attempt& attempt) {
+  CaseVerdict verdict =
+      compared(attempt, find(attempt, attempt.how.backend->create, attempt.options()));
+  if (verdict.status == Status::exact && !attempt.how.is_baseline()) {
+    PlanOptions uncertain = attempt.options();
     uncertain.allowed = uncertain.allowed.without(Skip::uncertain_pairs).without(Skip::equal_radii);
-    verdict = compared(trial, find(trial, trial.how.backend->create, uncertain));
+    verdict = compared(attempt, find(attempt, attempt.how.backend->create, uncertain));
     if (verdict.status == Status::wrong)
       verdict.reason += " (skips uncertain pairs, equal_radii forbidden)";
   }
-  if (!trial.how.has_rule() || trial.how.rule != Rule::lowest_cell) return verdict;
-  for (const double side : trial.scene.cell_sides) {
+  if (!attempt.how.has_rule() || attempt.how.rule != Rule::lowest_cell) return verdict;
+  for (const double side : attempt.scene.cell_sides) {
     if (verdict.status != Status::exact) return verdict;
-    PlanOptions options = trial.options();
+    PlanOptions options = attempt.options();
     options.cell_side = side;
     try {
-      verdict = compared(trial, find(trial, trial.how.backend->create, options));
+      verdict = compared(attempt, find(attempt, attempt.how.backend->create, options));
     } catch (const LimitError&) {
       continue;  // more cells than can be counted, so the refusal is right
     }
@@ -103,48 +100,49 @@ Verdict judge_pairs(const Trial& trial) {
 }
 
 /// Libraries cannot count without storing.
-Verdict judge_count(const Trial& trial) {
-  if (trial.how.is_baseline()) return {.status = Status::skipped, .reason = "stores its pairs"};
-  PlanOptions options = trial.options();
+CaseVerdict judge_count(const Attempt& attempt) {
+  if (attempt.how.is_baseline()) return {.status = Status::skipped, .reason = "stores its pairs"};
+  PlanOptions options = attempt.options();
   options.count_only = true;
-  const Answer answer = find(trial, trial.how.backend->create, options);
-  if (answer.counts.over_candidate_limit) return compared(trial, answer);
-  if (answer.digest.count != *trial.scene.pair_count) {
-    return wrong(fmt::format("{} pairs, and not {}", answer.digest.count, *trial.scene.pair_count));
+  const FinderAnswer answer = find(attempt, attempt.how.backend->create, options);
+  if (answer.counts.over_candidate_limit) return compared(attempt, answer);
+  if (answer.digest.count != *attempt.scene.pair_count) {
+    return wrong(
+        fmt::format("{} pairs, and not {}", answer.digest.count, *attempt.scene.pair_count));
   }
-  if (!trial.truth.digest) trial.truth.digest = answer.digest;
-  if (answer.digest != *trial.truth.digest) return wrong("another checksum than the others'");
+  if (!attempt.truth.digest) attempt.truth.digest = answer.digest;
+  if (answer.digest != *attempt.truth.digest) return wrong("another checksum than the others'");
   return {.pairs = answer.digest.count, .candidates = answer.counts.candidates};
 }
 
 /// Libraries get their spheres unchecked: the driver checks them only for our backends.
-Verdict judge_refusal(const Trial& trial) {
-  if (trial.how.is_baseline())
+CaseVerdict judge_refusal(const Attempt& attempt) {
+  if (attempt.how.is_baseline())
     return {.status = Status::skipped, .reason = "takes its input unseen"};
   try {
-    find(trial, trial.how.backend->create, trial.options());
+    find(attempt, attempt.how.backend->create, attempt.options());
   } catch (const InputError& refusal) {
-    const std::string expected = fmt::format("sphere {}", *trial.scene.bad_sphere);
+    const std::string expected = fmt::format("sphere {}", *attempt.scene.bad_sphere);
     const std::string what = refusal.what();
     const std::size_t at = what.find(expected);
     const bool named = at != std::string::npos && !std::isdigit(what[at + expected.size()]);
-    return named ? Verdict{} : wrong("refused without its index: " + what);
+    return named ? CaseVerdict{} : wrong("refused without its index: " + what);
   }
   return wrong("accepted");
 }
 
 /// Gives room for all pairs, for one less, and for none. The required size must be reported each
 /// time, and nothing may be clipped.
-Verdict judge_buffers(const Trial& trial) {
-  if (trial.how.is_baseline()) return judge_pairs(trial);
-  const std::uint64_t needed = trial.truth.pairs.size();
-  const std::unique_ptr<PairFinder> finder = trial.how.backend->create();
-  const Plan complete = find_completely(*finder, trial.scene.view(), trial.options()).plan;
+CaseVerdict judge_buffers(const Attempt& attempt) {
+  if (attempt.how.is_baseline()) return judge_pairs(attempt);
+  const std::uint64_t needed = attempt.truth.pairs.size();
+  const std::unique_ptr<PairFinder> finder = attempt.how.backend->create();
+  const Plan complete = find_completely(*finder, attempt.scene.view(), attempt.options()).plan;
   for (const std::uint64_t room : {std::uint64_t{0}, needed - 1, needed}) {
     Plan plan = complete;
     plan.capacity.pairs = room;
     const std::unique_ptr<StageClock> clock = finder->make_clock(Marks::off);
-    finder->upload(plan, trial.scene.view());
+    finder->upload(plan, attempt.scene.view());
     finder->find_pairs(*clock);
     const Counts counts = finder->counts();
     if (counts.pairs != needed) {
@@ -152,37 +150,38 @@ Verdict judge_buffers(const Trial& trial) {
                                needed));
     }
   }
-  return compared(trial, {finder->counts(), finder->digest(), finder->download()});
+  return compared(attempt, {finder->counts(), finder->digest(), finder->download()});
 }
 
-Verdict judge_frames(const Trial& trial) {
-  PlanOptions options = trial.options();
+CaseVerdict judge_frames(const Attempt& attempt) {
+  PlanOptions options = attempt.options();
   options.moving = true;
-  const Create create = [&trial] {
-    return std::make_unique<AfterFrames>(trial.how.backend->create(), trial.scene.before);
+  const Create create = [&attempt] {
+    return std::make_unique<AfterFrames>(attempt.how.backend->create(), attempt.scene.before);
   };
-  return compared(trial, find(trial, create, options));
+  return compared(attempt, find(attempt, create, options));
 }
 
-Verdict judge_other_scenes(const Trial& trial) {
-  const PlanOptions options = trial.options();
+CaseVerdict judge_other_scenes(const Attempt& attempt) {
+  const PlanOptions options = attempt.options();
   const Create create = [&] {
-    return std::make_unique<AfterScenes>(trial.how.backend->create(), trial.scene.before, options);
+    return std::make_unique<AfterScenes>(attempt.how.backend->create(), attempt.scene.before,
+                                         options);
   };
-  return compared(trial, find(trial, create, options));
+  return compared(attempt, find(attempt, create, options));
 }
 
 /// Uses new finders, for every number of threads. A library, which has one thread, runs once.
-Verdict judge_repetition(const Trial& trial) {
-  if (trial.how.is_baseline()) return judge_pairs(trial);
+CaseVerdict judge_repetition(const Attempt& attempt) {
+  if (attempt.how.is_baseline()) return judge_pairs(attempt);
   std::vector<int> threads = {1};
-  if (trial.how.backend->threaded) threads = {1, 2, 3, 7, trial.limits.threads};
-  Verdict verdict;
+  if (attempt.how.backend->threaded) threads = {1, 2, 3, 7, attempt.limits.threads};
+  CaseVerdict verdict;
   for (const int count : threads) {
-    PlanOptions options = trial.options();
+    PlanOptions options = attempt.options();
     options.threads = count;
-    for (int run = 0; run < trial.limits.repetitions; ++run) {
-      verdict = compared(trial, find(trial, trial.how.backend->create, options));
+    for (int run = 0; run < attempt.limits.repetitions; ++run) {
+      verdict = compared(attempt, find(attempt, attempt.how.backend->create, options));
       if (verdict.status != Status::exact) {
         verdict.reason += fmt::format(" (run {} on {} threads)", run, count);
         return verdict;
@@ -192,22 +191,22 @@ Verdict judge_repetition(const Trial& trial) {
   return verdict;
 }
 
-Verdict judge_as_asked(Ask ask, const Trial& trial) {
+CaseVerdict judge_as_asked(Ask ask, const Attempt& attempt) {
   switch (ask) {
     case Ask::pairs:
-      return judge_pairs(trial);
+      return judge_pairs(attempt);
     case Ask::count:
-      return judge_count(trial);
+      return judge_count(attempt);
     case Ask::refusal:
-      return judge_refusal(trial);
+      return judge_refusal(attempt);
     case Ask::buffers:
-      return judge_buffers(trial);
+      return judge_buffers(attempt);
     case Ask::frames:
-      return judge_frames(trial);
+      return judge_frames(attempt);
     case Ask::other_scenes:
-      return judge_other_scenes(trial);
+      return judge_other_scenes(attempt);
     case Ask::repetition:
-      return judge_repetition(trial);
+      return judge_repetition(attempt);
   }
   return wrong("nothing was asked");
 }
@@ -241,11 +240,11 @@ Truth truth_of(const Entry& entry, const Case& scene) {
   return truth;
 }
 
-Verdict judge(const Implementation& how, Ask ask, const Case& scene, Truth& truth,
-              const Limits& limits) {
-  const Trial trial = {how, scene, truth, limits};
+CaseVerdict judge(const Implementation& how, Ask ask, const Case& scene, Truth& truth,
+                  const Limits& limits) {
+  const Attempt attempt = {how, scene, truth, limits};
   try {
-    return judge_as_asked(ask, trial);
+    return judge_as_asked(ask, attempt);
   } catch (const LimitError& limit) {
     return {.status = status_of_refusal(how, limit.what()), .reason = limit.what()};
   } catch (const Error& error) {

@@ -22,7 +22,7 @@ inline constexpr std::array<std::string_view, 6> kStatusNames = {"exact", "skipp
                                                                  "late",  "crashed", "wrong"};
 constexpr std::string_view name_of(Status s) { return kStatusNames[static_cast<std::size_t>(s)]; }
 
-struct Verdict {
+struct CaseVerdict {
   Status status = Status::exact;
   std::string reason = {};
   reference::Comparison difference = {};
@@ -51,7 +51,7 @@ struct Limits {
 /// Judges an implementation; never throws for what it does. Baselines run in processes of their
 /// own. If the truth is only a number, the first answer sets its checksum, and all others must
 /// repeat that.
-Verdict judge(const Implementation& how, Ask ask, const Case& scene, Truth& truth,
-              const Limits& limits);
+CaseVerdict judge(const Implementation& how, Ask ask, const Case& scene, Truth& truth,
+                  const Limits& limits);
 
 }  // namespace octocell::stress

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<std::string_view, 7> kAskNames = {
     "pairs", "count", "refusal", "buffers", "frames", "other_scenes", "repetition"};
 
-void add(Row& row, const Case& scene, const Verdict& verdict) {
+void add(EntryResult& row, const Case& scene, const CaseVerdict& verdict) {
   ++row.cases[static_cast<std::size_t>(verdict.status)];
   row.difference.missed += verdict.difference.missed;
   row.difference.false_pairs += verdict.difference.false_pairs;
@@ -35,32 +35,33 @@ void add(Row& row, const Case& scene, const Verdict& verdict) {
 }
 
 /// One late case is enough: each of the entry's other cases would take the whole time limit again.
-bool is_late(const Row& row) { return row.with(Status::late) > 0; }
+bool is_late(const EntryResult& row) { return row.with(Status::late) > 0; }
 
 }  // namespace
 
-Status Row::status() const {
+Status EntryResult::status() const {
   return worst == Status::skipped && with(Status::exact) > 0 ? Status::exact : worst;
 }
 
-bool Row::failed() const {
+bool EntryResult::failed() const {
   return !how.is_baseline() && with(Status::wrong) + with(Status::crashed) + with(Status::late) > 0;
 }
 
-std::vector<Row> run_entry(const Entry& entry, Size size, std::span<const Implementation> judged,
-                           const Limits& limits, bool (*stop)()) {
-  std::vector<Row> rows;
+std::vector<EntryResult> run_entry(const Entry& entry, Size size,
+                                   std::span<const Implementation> judged, const Limits& limits,
+                                   bool (*stop)()) {
+  std::vector<EntryResult> rows;
   for (const Implementation& how : judged) rows.push_back({.entry = &entry, .how = how});
   for (const Case& scene : entry.cases(entry.at(size))) {
     if (stop()) break;
     Truth truth = truth_of(entry, scene);
-    for (Row& row : rows) {
+    for (EntryResult& row : rows) {
       if (is_late(row)) {
         add(row, scene, {.status = Status::skipped, .reason = "late before"});
         continue;
       }
       const auto begin = std::chrono::steady_clock::now();
-      const Verdict verdict = judge(row.how, entry.ask, scene, truth, limits);
+      const CaseVerdict verdict = judge(row.how, entry.ask, scene, truth, limits);
       if (stop()) return rows;  // Ctrl-C ends a child, too, but that is not its crash
       row.seconds +=
           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -70,7 +71,7 @@ std::vector<Row> run_entry(const Entry& entry, Size size, std::span<const Implem
   return rows;
 }
 
-Json to_json(const Row& row) {
+Json to_json(const EntryResult& row) {
   const Implementation& how = row.how;
   Json cases = Json::object();
   for (std::size_t k = 0; k < kStatusNames.size(); ++k)

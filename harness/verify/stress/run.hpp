@@ -16,7 +16,7 @@
 namespace octocell::stress {
 
 /// The results of one implementation on all cases of an entry.
-struct Row {
+struct EntryResult {
   const Entry* entry;
   Implementation how;
   std::array<std::uint64_t, kStatusNames.size()> cases = {};  // by status
@@ -39,10 +39,11 @@ struct Row {
 
 /// Runs every case of an entry, if it has cases. Throws Error if the reference contradicts a
 /// formula or a relation. Calls `stop` between cases, and ends if it returns true.
-std::vector<Row> run_entry(const Entry& entry, Size size, std::span<const Implementation> judged,
-                           const Limits& limits, bool (*stop)());
+std::vector<EntryResult> run_entry(const Entry& entry, Size size,
+                                   std::span<const Implementation> judged, const Limits& limits,
+                                   bool (*stop)());
 
-nlohmann::ordered_json to_json(const Row& row);
+nlohmann::ordered_json to_json(const EntryResult& row);
 
 /// {"id", "name", "asks", "sizes", "not_run"}
 nlohmann::ordered_json to_json(const Entry& entry);
