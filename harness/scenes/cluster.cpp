@@ -20,10 +20,7 @@ double cloud_width(double count, double peak) {
 
 }  // namespace
 
-template <typename AnySphere>
-std::vector<AnySphere> cluster(const Parameters& parameters) {
-  using Number = NumberOf<AnySphere>;
-  std::vector<AnySphere> spheres(parameters.whole("n"));
+void cluster(const Parameters& parameters, GeneratedSpheres& spheres) {
   const double side = box_side(spheres.size(), parameters.real("phi"));
   const double share = parameters.real("share");
   const auto in_clouds = share * static_cast<double>(spheres.size());
@@ -32,28 +29,19 @@ std::vector<AnySphere> cluster(const Parameters& parameters) {
       cloud_width(in_clouds / static_cast<double>(centres.size()), parameters.real("peak"));
 
   Random random(parameters.whole("seed"));
+  const auto coordinate = [&] { return coordinate_in_box(random, side); };
   for (Sphere& centre : centres) {
-    centre.x = coordinate_in_box<float>(random, side);
-    centre.y = coordinate_in_box<float>(random, side);
-    centre.z = coordinate_in_box<float>(random, side);
+    centre = rounded({coordinate(), coordinate(), coordinate(), 0.0});
   }
-  for (AnySphere& s : spheres) {
-    s.r = static_cast<Number>(kRadius);
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
     if (random.uniform() < share) {
       const Sphere& centre = centres[random.below(centres.size())];
-      s.x = static_cast<Number>(centre.x + width * random.bell());
-      s.y = static_cast<Number>(centre.y + width * random.bell());
-      s.z = static_cast<Number>(centre.z + width * random.bell());
-      continue;
+      const auto near = [&](float middle) { return middle + width * random.bell(); };
+      spheres.put(i, {near(centre.x), near(centre.y), near(centre.z), kRadius});
+    } else {
+      spheres.put(i, {coordinate(), coordinate(), coordinate(), kRadius});
     }
-    s.x = coordinate_in_box<Number>(random, side);
-    s.y = coordinate_in_box<Number>(random, side);
-    s.z = coordinate_in_box<Number>(random, side);
   }
-  return spheres;
 }
-
-template std::vector<Sphere> cluster(const Parameters&);
-template std::vector<DoubleSphere> cluster(const Parameters&);
 
 }  // namespace octocell::families

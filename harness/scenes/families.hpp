@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // One function per generator; the table in scenes.cpp says what each makes. A generator computes in
-// float64 and rounds each number once, at the end, to the number type of Sphere or DoubleSphere.
-// All lengths are in units where the largest common sphere has radius 0.5.
+// float64. All lengths are in units where the largest common sphere has radius 0.5.
 #pragma once
 
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "core/sphere.hpp"
@@ -18,30 +18,57 @@ namespace octocell::families {
 
 inline constexpr double kRadius = 0.5;
 
-template <typename AnySphere>
-std::vector<AnySphere> gas(const Parameters&);
-template <typename AnySphere>
-std::vector<AnySphere> shifted(const Parameters&);
-template <typename AnySphere>
-std::vector<AnySphere> poly(const Parameters&);
-template <typename AnySphere>
-std::vector<AnySphere> cluster(const Parameters&);
-template <typename AnySphere>
-std::vector<AnySphere> lattice(const Parameters&);
-template <typename AnySphere>
-std::vector<AnySphere> fcc(const Parameters&);
-template <typename AnySphere>
-std::vector<AnySphere> giant(const Parameters&);
-template <typename AnySphere>
-std::vector<AnySphere> discs(const Parameters&);
-template <typename AnySphere>
-std::vector<AnySphere> identical(const Parameters&);
-template <typename AnySphere>
-std::vector<AnySphere> chain(const Parameters&);
+struct Centre {
+  double x;
+  double y;
+  double z;
+};
 
-/// The type of a sphere's numbers.
-template <typename AnySphere>
-using NumberOf = decltype(AnySphere::r);
+/// The spheres that a generator makes. Each number is rounded to float32 once; what it was before
+/// is kept if the caller wants it.
+class GeneratedSpheres {
+ public:
+  GeneratedSpheres(std::size_t count, bool keeps_unrounded)
+      : rounded_(count), unrounded_(keeps_unrounded ? count : 0) {}
+
+  [[nodiscard]] std::size_t size() const { return rounded_.size(); }
+
+  void put(std::size_t i, const DoubleSphere& s) {
+    put_centre(i, {s.x, s.y, s.z});
+    put_radius(i, s.r);
+  }
+  void put_centre(std::size_t i, const Centre& c) {
+    rounded_[i] = {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z),
+                   rounded_[i].r};
+    if (!unrounded_.empty()) unrounded_[i] = {c.x, c.y, c.z, unrounded_[i].r};
+  }
+  void put_radius(std::size_t i, double r) {
+    rounded_[i].r = static_cast<float>(r);
+    if (!unrounded_.empty()) unrounded_[i].r = r;
+  }
+  void swap(std::size_t i, std::size_t j) {
+    std::swap(rounded_[i], rounded_[j]);
+    if (!unrounded_.empty()) std::swap(unrounded_[i], unrounded_[j]);
+  }
+
+  std::vector<Sphere> take_rounded() { return std::move(rounded_); }
+  std::vector<DoubleSphere> take_unrounded() { return std::move(unrounded_); }
+
+ private:
+  std::vector<Sphere> rounded_;
+  std::vector<DoubleSphere> unrounded_;  // or empty
+};
+
+void gas(const Parameters& parameters, GeneratedSpheres& spheres);
+void shifted(const Parameters& parameters, GeneratedSpheres& spheres);
+void poly(const Parameters& parameters, GeneratedSpheres& spheres);
+void cluster(const Parameters& parameters, GeneratedSpheres& spheres);
+void lattice(const Parameters& parameters, GeneratedSpheres& spheres);
+void fcc(const Parameters& parameters, GeneratedSpheres& spheres);
+void giant(const Parameters& parameters, GeneratedSpheres& spheres);
+void discs(const Parameters& parameters, GeneratedSpheres& spheres);
+void identical(const Parameters& parameters, GeneratedSpheres& spheres);
+void chain(const Parameters& parameters, GeneratedSpheres& spheres);
 
 inline double sphere_volume(double r) { return 4.0 / 3.0 * std::numbers::pi * r * r * r; }
 
@@ -53,16 +80,14 @@ inline double box_side(std::size_t count, double volume_fraction) {
 
 /// Returns a coordinate that is uniform in a cube (or its floor, z = 0) around `centre` on each
 /// axis.
-template <typename Number>
-Number coordinate_in_box(Random& random, double side, double centre = 0.0) {
-  return static_cast<Number>(centre + (random.uniform() - 0.5) * side);
+inline double coordinate_in_box(Random& random, double side, double centre = 0.0) {
+  return centre + (random.uniform() - 0.5) * side;
 }
 
 /// Returns the coordinate of a lattice's plane number `steps` of `side` planes; the middle one lies
 /// at zero.
-template <typename Number>
-Number coordinate_on_lattice(std::size_t steps, std::size_t side, double step) {
-  return static_cast<Number>((static_cast<double>(steps) - static_cast<double>(side / 2)) * step);
+inline double coordinate_on_lattice(std::size_t steps, std::size_t side, double step) {
+  return (static_cast<double>(steps) - static_cast<double>(side / 2)) * step;
 }
 
 }  // namespace octocell::families

@@ -4,7 +4,6 @@
 // direction or the other; a plain float32 test gets some of them wrong.
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 #include "harness/scenes/families.hpp"
 
@@ -21,29 +20,20 @@ std::size_t even_side(std::size_t count) {
 }  // namespace
 
 /// Uses the points of a cubic lattice whose coordinates have an even sum.
-template <typename AnySphere>
-std::vector<AnySphere> fcc(const Parameters& parameters) {
-  using Number = NumberOf<AnySphere>;
-  std::vector<AnySphere> spheres(parameters.whole("n"));
+void fcc(const Parameters& parameters, GeneratedSpheres& spheres) {
   const double spacing = parameters.real("spacing");
   const double step = spacing * std::sqrt(0.5);
   const std::size_t side = even_side(spheres.size());
   const auto coordinate = [&](std::size_t steps) {
-    return coordinate_on_lattice<Number>(steps, side, step);
+    return coordinate_on_lattice(steps, side, step);
   };
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     const std::size_t row = i / (side / 2);
     const std::size_t y = row % side;
     const std::size_t z = row / side;
-    spheres[i].x = coordinate(2 * (i % (side / 2)) + (y + z) % 2);
-    spheres[i].y = coordinate(y);
-    spheres[i].z = coordinate(z);
-    spheres[i].r = static_cast<Number>(spacing * 0.5);
+    const std::size_t x = 2 * (i % (side / 2)) + (y + z) % 2;
+    spheres.put(i, {coordinate(x), coordinate(y), coordinate(z), spacing * 0.5});
   }
-  return spheres;
 }
-
-template std::vector<Sphere> fcc(const Parameters&);
-template std::vector<DoubleSphere> fcc(const Parameters&);
 
 }  // namespace octocell::families

@@ -67,27 +67,17 @@ constexpr ParameterInfo kFcc[] = {count_up_to(kMost), spaced(1)};
 constexpr ParameterInfo kChain[] = {count_up_to(0x1p24), spaced(1)};
 
 constexpr SceneInfo kScenes[] = {
-    {"gas", "equal spheres, uniform in a cube, 10 % filled", kGas, families::gas<Sphere>,
-     families::gas<DoubleSphere>},
-    {"dense", "as gas, 40 % filled", kDense, families::gas<Sphere>, families::gas<DoubleSphere>},
-    {"poly", "radii 10:1, each octave equally often, 10 % filled", kPoly, families::poly<Sphere>,
-     families::poly<DoubleSphere>},
-    {"cluster", "90 % in 64 dense clouds, the rest uniform", kCluster, families::cluster<Sphere>,
-     families::cluster<DoubleSphere>},
-    {"lattice", "cubic lattice, neighbours touch exactly", kLattice, families::lattice<Sphere>,
-     families::lattice<DoubleSphere>},
-    {"shifted", "a gas far from the origin", kShifted, families::shifted<Sphere>,
-     families::shifted<DoubleSphere>},
-    {"giant", "a gas around one huge sphere", kGiant, families::giant<Sphere>,
-     families::giant<DoubleSphere>},
-    {"discs", "flat (z = 0), radii 100:1 with a power law", kDiscs, families::discs<Sphere>,
-     families::discs<DoubleSphere>},
-    {"identical", "the same sphere many times", kIdentical, families::identical<Sphere>,
-     families::identical<DoubleSphere>},
-    {"chain", "a row of spheres, each touches the next", kChain, families::chain<Sphere>,
-     families::chain<DoubleSphere>},
-    {"fcc", "densest packing, neighbours touch up to roundings", kFcc, families::fcc<Sphere>,
-     families::fcc<DoubleSphere>},
+    {"gas", "equal spheres, uniform in a cube, 10 % filled", kGas, families::gas},
+    {"dense", "as gas, 40 % filled", kDense, families::gas},
+    {"poly", "radii 10:1, each octave equally often, 10 % filled", kPoly, families::poly},
+    {"cluster", "90 % in 64 dense clouds, the rest uniform", kCluster, families::cluster},
+    {"lattice", "cubic lattice, neighbours touch exactly", kLattice, families::lattice},
+    {"shifted", "a gas far from the origin", kShifted, families::shifted},
+    {"giant", "a gas around one huge sphere", kGiant, families::giant},
+    {"discs", "flat (z = 0), radii 100:1 with a power law", kDiscs, families::discs},
+    {"identical", "the same sphere many times", kIdentical, families::identical},
+    {"chain", "a row of spheres, each touches the next", kChain, families::chain},
+    {"fcc", "densest packing, neighbours touch up to roundings", kFcc, families::fcc},
 };
 
 const SceneInfo& scene_named(std::string_view name) {
@@ -118,8 +108,11 @@ Scene generate(std::string_view spec, Unrounded unrounded) {
   const double bytes = sizeof(Sphere) + (unrounded == Unrounded::keep ? sizeof(DoubleSphere) : 0);
   require_memory(count * bytes, scene.spec);
   try {
-    scene.spheres = info.make(parameters);
-    if (unrounded == Unrounded::keep) scene.unrounded = info.make_unrounded(parameters);
+    const bool keeps = unrounded == Unrounded::keep;
+    families::GeneratedSpheres spheres(parameters.whole("n"), keeps);
+    info.make(parameters, spheres);
+    scene.spheres = spheres.take_rounded();
+    if (keeps) scene.unrounded = spheres.take_unrounded();
     scene.flags = make_scene_flags(parameters, scene.spheres.size());
   } catch (const std::bad_alloc&) {
     throw LimitError(fmt::format("scene {}: not enough memory for the spheres", scene.spec));

@@ -25,14 +25,15 @@ struct ParameterInfo {
 };
 
 class Parameters;
+namespace families {
+class GeneratedSpheres;
+}
 
 struct SceneInfo {
   std::string_view name;
   std::string_view summary;
   std::span<const ParameterInfo> parameters;
-  std::vector<Sphere> (*make)(const Parameters&);
-  /// Makes the same spheres before each number is rounded to float32.
-  std::vector<DoubleSphere> (*make_unrounded)(const Parameters&);
+  void (*make)(const Parameters&, families::GeneratedSpheres&);
 };
 
 /// Returns the table of all generators.

@@ -101,6 +101,8 @@ TEST(Scenes, RoundEachNumberOnceAndCanShowWhatItWas) {
     std::vector<Sphere> once;
     for (const DoubleSphere& s : *scene.unrounded) once.push_back(rounded(s));
     EXPECT_EQ(checksum(once), checksum(scene.spheres)) << info.name;
+    const Scene rounded_only = generate(std::string(info.name) + ":n=1000");
+    EXPECT_EQ(checksum(rounded_only.spheres), checksum(scene.spheres)) << info.name;
   }
   const Scene far = generate("shifted:n=1000,offset=1e7", Unrounded::keep);
   EXPECT_NE(far.unrounded->at(0).x, far.spheres[0].x);
