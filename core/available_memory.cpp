@@ -17,7 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kGiB = 1073741824.0;
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 /// Returns the number behind `word` at the beginning of a line, as in "MemAvailable:  123 kB".
@@ -115,8 +114,12 @@ std::optional<double> available_bytes(const fs::path& root) {
 void require_memory(double bytes, std::string_view what) {
   const std::optional<double> available = available_bytes();
   if (!available || bytes <= *available) return;
-  throw LimitError(fmt::format("{}: {:.1f} GiB are needed, and {:.1f} GiB are available", what,
-                               bytes / kGiB, *available / kGiB));
+  throw LimitError(lack_of_memory(what, bytes, *available));
+}
+
+std::string lack_of_memory(std::string_view what, double needed, double available) {
+  return fmt::format("{}: {:.1f} GiB are needed, and {:.1f} GiB are available", what, needed / kGiB,
+                     available / kGiB);
 }
 
 }  // namespace octocell

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,8 +18,12 @@ namespace octocell {
 /// system does not say. `root` is the folder that holds proc and sys.
 std::optional<double> available_bytes(const std::filesystem::path& root = "/");
 
+inline constexpr double kGiB = 1073741824.0;
+
 /// Throws LimitError "WHAT: 3.1 GiB are needed, and 1.2 GiB are available" if `bytes` do not fit.
 void require_memory(double bytes, std::string_view what);
+/// Returns that text.
+std::string lack_of_memory(std::string_view what, double needed, double available);
 
 /// Appends to a list that may become long. Checks that there is enough memory before the list
 /// grows.

@@ -12,10 +12,10 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "harness/bench/presets.hpp"
-#include "harness/files/file_identity.hpp"
 #include "harness/files/frames.hpp"
 #include "harness/files/input_file.hpp"
 #include "harness/files/load.hpp"
+#include "harness/files/named_files.hpp"
 #include "harness/scenes/scenes.hpp"
 
 namespace octocell::bench {
@@ -115,18 +115,16 @@ std::vector<Group> choose_groups(const BenchOptions& options) {
 }
 
 void require_inputs_kept(const std::vector<Group>& groups, const std::string& output) {
-  std::vector<NamedFile> inputs;
+  NamedFiles files;
   for (const Group& group : groups) {
     if (!group.unavailable.empty()) continue;
-    if (auto path = file_of(group.argument)) inputs.push_back({"a scene", std::move(*path)});
-    if (group.load.flags) inputs.push_back({"--flags", *group.load.flags});
+    files.read_scene(group.argument, group.load.flags);
     if (group.trajectory.empty()) continue;
-    for (std::string& frame : frame_files(group.trajectory)) {
-      inputs.push_back({"a frame", std::move(frame)});
-    }
+    for (std::string& frame : frame_files(group.trajectory))
+      files.read("a frame", std::move(frame));
   }
-  const NamedFile results = {"--output", output};
-  require_separate_files(inputs, {&results, 1});
+  files.write("--output", output);
+  files.require_separate();
 }
 
 std::uint64_t candidate_limit(const BenchOptions& options) {

@@ -213,19 +213,18 @@ int check(const Options& options) {
 
 }  // namespace
 
-void add_check(CLI::App& app, Command& command) {
+void add_check(CLI::App& sub, Command& command) {
   auto o = std::make_shared<Options>();
-  CLI::App* sub =
-      app.add_subcommand("check", "Compare every implementation with the exact pair set");
-  sub->add_option("SCENE", o->scenes, "Files or generators (default: every generator, small)");
-  add_scene_options(*sub, o->load);
-  sub->add_option("--backend", o->backend, "A backend, a baseline, or all");
-  sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
-  sub->add_option("--candidate-limit", o->candidate_limit,
-                  "Skip a row that counts more candidate pairs than this");
-  sub->add_option("--timeout", o->timeout, "Time limit of a baseline in seconds (default 60)");
-  sub->add_flag("--strict", o->strict, "Exit with 1 also for known issues of libraries");
-  sub->callback([&command, o] { command = [o] { return check(*o); }; });
+  sub.description("Compare every implementation with the exact pair set");
+  sub.add_option("SCENE", o->scenes, "Files or generators (default: every generator, small)");
+  add_scene_options(sub, o->load);
+  sub.add_option("--backend", o->backend, "A backend, a baseline, or all");
+  sub.add_option("--threads", o->threads, "Threads; 0 (default): all");
+  sub.add_option("--candidate-limit", o->candidate_limit,
+                 "Skip a row that counts more candidate pairs than this");
+  sub.add_option("--timeout", o->timeout, "Time limit of a baseline in seconds (default 60)");
+  sub.add_flag("--strict", o->strict, "Exit with 1 also for known issues of libraries");
+  sub.callback([&command, o] { command = [o] { return check(*o); }; });
 }
 
 }  // namespace octocell::cli

@@ -128,7 +128,7 @@ int explain_scene(const Options& options) {
   Candidate planned(backend, scene.view(), asked);
   const Outcome& outcome = planned.outcome();
   require_used(asked.forced, outcome.counts.used);
-  Explanation explanation = explain(stats, outcome.plan, asked, outcome.counts.used);
+  Explanation explanation = explain(*outcome.stats, outcome.plan, asked, outcome.counts.used);
   if (options.analyze) analyze(explanation, planned, backend, scene.view(), asked);
   if (options.json) {
     fmt::print("{}\n", json_text(to_json(explanation, outcome), 2));
@@ -140,18 +140,17 @@ int explain_scene(const Options& options) {
 
 }  // namespace
 
-void add_explain(CLI::App& app, Command& command) {
+void add_explain(CLI::App& sub, Command& command) {
   auto o = std::make_shared<Options>();
-  CLI::App* sub =
-      app.add_subcommand("explain", "Explain what a scene needs, what it does not need, and why");
-  sub->add_option("SCENE", o->scene, kSceneHelp)->required();
-  add_scene_options(*sub, o->load);
-  sub->add_option("--backend", o->backend, "A backend; see 'octocell list'");
-  add_own_choices(*sub, o->own);
-  sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
-  sub->add_flag("--analyze", o->analyze, "Measure how much time each skip saves");
-  sub->add_flag("--json", o->json, "Print JSON");
-  sub->callback([&command, o] { command = [o] { return explain_scene(*o); }; });
+  sub.description("Explain what a scene needs, what it does not need, and why");
+  sub.add_option("SCENE", o->scene, kSceneHelp)->required();
+  add_scene_options(sub, o->load);
+  sub.add_option("--backend", o->backend, "A backend; see 'octocell list'");
+  add_own_choices(sub, o->own);
+  sub.add_option("--threads", o->threads, "Threads; 0 (default): all");
+  sub.add_flag("--analyze", o->analyze, "Measure how much time each skip saves");
+  sub.add_flag("--json", o->json, "Print JSON");
+  sub.callback([&command, o] { command = [o] { return explain_scene(*o); }; });
 }
 
 }  // namespace octocell::cli

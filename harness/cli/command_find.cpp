@@ -15,13 +15,13 @@
 #include "core/flags.hpp"
 #include "core/planner/explain.hpp"
 #include "harness/cli/commands.hpp"
-#include "harness/cli/named_files.hpp"
 #include "harness/cli/names.hpp"
 #include "harness/cli/own_choices.hpp"
 #include "harness/cli/scene_options.hpp"
 #include "harness/engine/find_completely.hpp"
 #include "harness/engine/registry.hpp"
 #include "harness/files/json_text.hpp"
+#include "harness/files/named_files.hpp"
 #include "harness/files/save.hpp"
 #include "harness/scenes/scenes.hpp"
 #include "harness/verify/reference/reference.hpp"
@@ -214,9 +214,8 @@ int find(const Options& options) {
                              .rounding = rounding_effect(scene),
                              .depth_errors = depth_errors};
   if (options.explain) {
-    fmt::print(
-        stderr, "{}",
-        to_text(explain(measure(scene.view()), outcome.plan, plan_options, outcome.counts.used)));
+    fmt::print(stderr, "{}",
+               to_text(explain(*outcome.stats, outcome.plan, plan_options, outcome.counts.used)));
   }
   if (options.json) {
     fmt::print("{}\n", json_text(to_json(report), 2));
@@ -228,24 +227,24 @@ int find(const Options& options) {
 
 }  // namespace
 
-void add_find(CLI::App& app, Command& command) {
+void add_find(CLI::App& sub, Command& command) {
   auto o = std::make_shared<Options>();
-  CLI::App* sub = app.add_subcommand("find", "Find every overlapping pair of a scene");
-  sub->add_option("SCENE", o->scene, kSceneHelp)->required();
-  add_scene_options(*sub, o->load);
-  sub->add_option("--backend", o->backend, "A backend or a baseline; see 'octocell list'");
-  add_own_choices(*sub, o->own);
-  sub->add_option("--predicate", o->predicate, kPredicateHelp);
-  sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
-  sub->add_option("-o,--output", o->output, "Write the pairs: NPY, (M, 2) uint32, i < j, sorted");
-  sub->add_option("--depth", o->depth,
-                  "Write how deep each pair overlaps: NPY, (M,) float32, in the pairs' order");
-  sub->add_flag("--depth-check", o->depth_check,
-                "Compare the depths with exact ones; print their errors in ULP of float32");
-  sub->add_flag("--count", o->count, "Print only count and checksum; needs no memory for pairs");
-  sub->add_flag("--json", o->json, "Print JSON");
-  sub->add_flag("--explain", o->explain, "Print the plan's decisions on stderr");
-  sub->callback([&command, o] { command = [o] { return find(*o); }; });
+  sub.description("Find every overlapping pair of a scene");
+  sub.add_option("SCENE", o->scene, kSceneHelp)->required();
+  add_scene_options(sub, o->load);
+  sub.add_option("--backend", o->backend, "A backend or a baseline; see 'octocell list'");
+  add_own_choices(sub, o->own);
+  sub.add_option("--predicate", o->predicate, kPredicateHelp);
+  sub.add_option("--threads", o->threads, "Threads; 0 (default): all");
+  sub.add_option("-o,--output", o->output, "Write the pairs: NPY, (M, 2) uint32, i < j, sorted");
+  sub.add_option("--depth", o->depth,
+                 "Write how deep each pair overlaps: NPY, (M,) float32, in the pairs' order");
+  sub.add_flag("--depth-check", o->depth_check,
+               "Compare the depths with exact ones; print their errors in ULP of float32");
+  sub.add_flag("--count", o->count, "Print only count and checksum; needs no memory for pairs");
+  sub.add_flag("--json", o->json, "Print JSON");
+  sub.add_flag("--explain", o->explain, "Print the plan's decisions on stderr");
+  sub.callback([&command, o] { command = [o] { return find(*o); }; });
 }
 
 }  // namespace octocell::cli

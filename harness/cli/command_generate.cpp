@@ -6,7 +6,7 @@
 
 #include "core/text.hpp"
 #include "harness/cli/commands.hpp"
-#include "harness/cli/named_files.hpp"
+#include "harness/files/named_files.hpp"
 #include "harness/cli/scene_options.hpp"
 #include "harness/files/save.hpp"
 #include "harness/scenes/scenes.hpp"
@@ -43,15 +43,15 @@ int generate_scene(const Options& options) {
 
 }  // namespace
 
-void add_generate(CLI::App& app, Command& command) {
+void add_generate(CLI::App& sub, Command& command) {
   auto options = std::make_shared<Options>();
-  CLI::App* sub = app.add_subcommand("generate", "Write a scene as NPY, (N, 4) float32, or as CSV");
-  sub->add_option("SCENE", options->scene, kSceneHelp)->required();
-  sub->add_option("-o,--output", options->output, "The file to write")->required();
-  add_scene_options(*sub, options->load);
-  sub->add_option("--flags-output", options->flags_output,
-                  "Another NPY, (N,) uint32, for the flags of a scene that has some");
-  sub->callback([&command, options] { command = [options] { return generate_scene(*options); }; });
+  sub.description("Write a scene as NPY, (N, 4) float32, or as CSV");
+  sub.add_option("SCENE", options->scene, kSceneHelp)->required();
+  sub.add_option("-o,--output", options->output, "The file to write")->required();
+  add_scene_options(sub, options->load);
+  sub.add_option("--flags-output", options->flags_output,
+                 "Another NPY, (N,) uint32, for the flags of a scene that has some");
+  sub.callback([&command, options] { command = [options] { return generate_scene(*options); }; });
 }
 
 }  // namespace octocell::cli

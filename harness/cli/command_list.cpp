@@ -54,9 +54,9 @@ int list() {
 
 }  // namespace
 
-void add_list(CLI::App& app, Command& command) {
-  CLI::App* sub = app.add_subcommand("list", "Backends, methods, rules, baselines and scenes");
-  sub->callback([&command] { command = list; });
+void add_list(CLI::App& sub, Command& command) {
+  sub.description("Backends, methods, rules, baselines and scenes");
+  sub.callback([&command] { command = list; });
 }
 
 }  // namespace octocell::cli

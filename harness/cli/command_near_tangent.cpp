@@ -97,15 +97,14 @@ int run(Options options) {
 
 }  // namespace
 
-void add_near_tangent(CLI::App& app, Command& command) {
+void add_near_tangent(CLI::App& sub, Command& command) {
   auto o = std::make_shared<Options>();
-  CLI::App* sub = app.add_subcommand(
-      "near-tangent", "Compare the exact test with integers on pairs that nearly touch");
-  sub->add_option("--pairs", o->pairs, "Near-tangent pairs of each family to try (default 1e6)");
-  sub->add_flag("--device", o->device, "Run on the GPU");
-  sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
-  sub->add_option("-o,--output", o->output, "Write JSON");
-  sub->callback([&command, o] { command = [o] { return run(*o); }; });
+  sub.description("Compare the exact test with integers on pairs that nearly touch");
+  sub.add_option("--pairs", o->pairs, "Near-tangent pairs of each family to try (default 1e6)");
+  sub.add_flag("--device", o->device, "Run on the GPU");
+  sub.add_option("--threads", o->threads, "Threads; 0 (default): all");
+  sub.add_option("-o,--output", o->output, "Write JSON");
+  sub.callback([&command, o] { command = [o] { return run(*o); }; });
 }
 
 }  // namespace octocell::cli

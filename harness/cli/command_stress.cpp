@@ -193,19 +193,18 @@ int run_stress(const Options& options) {
 
 }  // namespace
 
-void add_stress(CLI::App& app, Command& command) {
+void add_stress(CLI::App& sub, Command& command) {
   auto o = std::make_shared<Options>();
-  CLI::App* sub = app.add_subcommand(
-      "stress", "Check every implementation on scenes made to break broad phases");
-  sub->add_option("--size", o->size, "slice (seconds), quick (minutes, default) or full (hours)");
-  sub->add_option("--backend", o->backend, "A backend, a baseline, ours (no baselines), or all");
-  sub->add_option("--entry", o->filter, "Only entries whose ids match, such as A.* or C18");
-  sub->add_option("--threads", o->threads, "Threads; 0 (default): all");
-  sub->add_option("--timeout", o->timeout,
-                  "Time limit of a baseline per case in seconds (default 10)");
-  sub->add_option("-o,--output", o->output, "JSON to write (default reports/out/stress.json)");
-  sub->add_flag("--list", o->list, "Print the entries and run none");
-  sub->callback([&command, o] { command = [o] { return run_stress(*o); }; });
+  sub.description("Check every implementation on scenes made to break broad phases");
+  sub.add_option("--size", o->size, "slice (seconds), quick (minutes, default) or full (hours)");
+  sub.add_option("--backend", o->backend, "A backend, a baseline, ours (no baselines), or all");
+  sub.add_option("--entry", o->filter, "Only entries whose ids match, such as A.* or C18");
+  sub.add_option("--threads", o->threads, "Threads; 0 (default): all");
+  sub.add_option("--timeout", o->timeout,
+                 "Time limit of a baseline per case in seconds (default 10)");
+  sub.add_option("-o,--output", o->output, "JSON to write (default reports/out/stress.json)");
+  sub.add_flag("--list", o->list, "Print the entries and run none");
+  sub.callback([&command, o] { command = [o] { return run_stress(*o); }; });
 }
 
 }  // namespace octocell::cli

@@ -65,16 +65,16 @@ int why_pair(const Options& options) {
 
 }  // namespace
 
-void add_why(CLI::App& app, Command& command) {
+void add_why(CLI::App& sub, Command& command) {
   auto o = std::make_shared<Options>();
-  CLI::App* sub = app.add_subcommand("why", "Say why a pair is found, or is not");
-  sub->add_option("SCENE", o->scene, kSceneHelp)->required();
-  sub->add_option("I", o->i, "The number of a sphere, from 0")->required();
-  sub->add_option("J", o->j, "The number of another")->required();
-  add_scene_options(*sub, o->load);
-  add_own_choices(*sub, o->own);
-  sub->add_flag("--json", o->json, "Print JSON");
-  sub->callback([&command, o] { command = [o] { return why_pair(*o); }; });
+  sub.description("Say why a pair is found, or is not");
+  sub.add_option("SCENE", o->scene, kSceneHelp)->required();
+  sub.add_option("I", o->i, "The number of a sphere, from 0")->required();
+  sub.add_option("J", o->j, "The number of another")->required();
+  add_scene_options(sub, o->load);
+  add_own_choices(sub, o->own);
+  sub.add_flag("--json", o->json, "Print JSON");
+  sub.callback([&command, o] { command = [o] { return why_pair(*o); }; });
 }
 
 }  // namespace octocell::cli

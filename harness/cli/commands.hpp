@@ -10,21 +10,21 @@ namespace octocell::cli {
 /// The chosen command, which main() runs after parsing; returns the exit code.
 using Command = std::function<int()>;
 
-/// Each function adds its subcommand to the application. If the user chooses it, `command` is set.
-void add_list(CLI::App& app, Command& command);
-void add_find(CLI::App& app, Command& command);
-void add_explain(CLI::App& app, Command& command);
-void add_why(CLI::App& app, Command& command);
-void add_generate(CLI::App& app, Command& command);
+/// Adds all commands to the application.
+void add_commands(CLI::App& app, Command& command);
 
-/// Adds the commands below, which need FCL, Bullet, GMP and Google Benchmark. A build without these
-/// adds their names and the reason why they are missing.
-void add_developer_commands(CLI::App& app, Command& command);
-void add_check(CLI::App& app, Command& command);
-void add_bench(CLI::App& app, Command& command);
-void add_bench_sort(CLI::App& app, Command& command);
-void add_stress(CLI::App& app, Command& command);
-void add_near_tangent(CLI::App& app, Command& command);
+/// Each function describes its command and its options. If the user chooses it, `command` is set.
+void add_list(CLI::App& sub, Command& command);
+void add_find(CLI::App& sub, Command& command);
+void add_explain(CLI::App& sub, Command& command);
+void add_why(CLI::App& sub, Command& command);
+void add_generate(CLI::App& sub, Command& command);
+// Not in a build without FCL, Bullet, GMP and Google Benchmark:
+void add_check(CLI::App& sub, Command& command);
+void add_bench(CLI::App& sub, Command& command);
+void add_bench_sort(CLI::App& sub, Command& command);
+void add_stress(CLI::App& sub, Command& command);
+void add_near_tangent(CLI::App& sub, Command& command);
 
 inline constexpr int kExitWrongAnswer = 1;
 inline constexpr int kExitBadInput = 2;

@@ -10,6 +10,7 @@
 #include <exception>
 #include <new>
 
+#include "core/error.hpp"
 #include "core/text.hpp"
 #include "harness/cli/commands.hpp"
 
@@ -25,15 +26,10 @@ void at_exit() {
 }
 
 [[noreturn]] void at_terminate() {
-  try {
-    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+  if (std::current_exception()) {
+    complain_of_exception();
+  } else {
     complain("ended without a reason", kExitBadInput);
-  } catch (const std::bad_alloc&) {
-    complain("not enough memory for this scene", kExitBadInput);
-  } catch (const std::exception& error) {
-    complain(error.what(), kExitBadInput);
-  } catch (...) {
-    complain("ended by an unknown exception", kExitBadInput);
   }
   std::fflush(nullptr);
   _exit(kExitBadInput);
@@ -44,6 +40,25 @@ void at_exit() {
 int complain(std::string_view what, int exit_code) {
   fmt::print(stderr, "octocell: {}\n", printable(what));
   return exit_code;
+}
+
+int complain_of_exception() {
+  try {
+    throw;
+  } catch (const Error& error) {
+    return complain(error.what(), kExitBadInput);
+  } catch (const std::bad_alloc&) {
+    return complain("not enough memory for this scene", kExitBadInput);
+  } catch (const std::exception& error) {
+    // Long output fails before the end, with fmt's message.
+    return std::ferror(stdout) != 0 ? complain_of_output() : complain(error.what(), kExitBadInput);
+  } catch (...) {
+    return complain("ended by an unknown exception", kExitBadInput);
+  }
+}
+
+int complain_of_output() {
+  return complain("standard output: could not be written", kExitBadInput);
 }
 
 void keep_promised_exit_codes() {

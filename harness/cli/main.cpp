@@ -18,14 +18,10 @@ namespace {
 
 using namespace octocell;
 
-int complain_of_output() {
-  return cli::complain("standard output: could not be written", cli::kExitBadInput);
-}
-
 int require_output(int exit_code) {
   std::cout.flush();
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good()) return exit_code;
-  return complain_of_output();
+  return cli::complain_of_output();
 }
 
 /// Describes an error. CLI11 only says that a command is missing; this adds which word is not a
@@ -49,12 +45,7 @@ int parse_and_run(int argc, char** argv) {
   app.set_help_all_flag("--help-all", "Help for all commands");
 
   cli::Command command;
-  cli::add_list(app, command);
-  cli::add_find(app, command);
-  cli::add_explain(app, command);
-  cli::add_why(app, command);
-  cli::add_generate(app, command);
-  cli::add_developer_commands(app, command);
+  cli::add_commands(app, command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked_for_help) {
@@ -68,14 +59,8 @@ int parse_and_run(int argc, char** argv) {
 int run(int argc, char** argv) {
   try {
     return parse_and_run(argc, argv);
-  } catch (const octocell::Error& error) {
-    return cli::complain(error.what(), cli::kExitBadInput);
-  } catch (const std::bad_alloc&) {
-    return cli::complain("not enough memory for this scene", cli::kExitBadInput);
-  } catch (const std::exception& error) {
-    // Long output fails while it is written, with fmt's message, not at the end.
-    if (std::ferror(stdout) != 0) return complain_of_output();
-    return cli::complain(error.what(), cli::kExitBadInput);
+  } catch (...) {
+    return cli::complain_of_exception();
   }
 }
 

@@ -2,12 +2,28 @@
 #include "harness/engine/find_completely.hpp"
 
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "core/available_memory.hpp"
 #include "core/error.hpp"
 #include "harness/engine/memory_guard.hpp"
 
 namespace octocell {
+namespace {
+
+/// Returns the statistics that a plan needs; a baseline's plan needs none.
+std::optional<SceneStats> stats_for(SceneView scene, const PlanOptions& options) {
+  if (!options.buffers_only) return measure(scene);
+  require_all_flags(scene);
+  return std::nullopt;
+}
+
+Plan plan_for(SceneView scene, const std::optional<SceneStats>& stats, const PlanOptions& options) {
+  return stats ? make_plan(*stats, options) : plan_buffers(scene.spheres.size(), options);
+}
+
+}  // namespace
 
 Outcome complete(PairFinder& finder, SceneView scene, Plan plan, StageClock& clock) {
   Outcome outcome;
@@ -29,21 +45,19 @@ Outcome complete(PairFinder& finder, SceneView scene, Plan plan, StageClock& clo
 }
 
 Plan plan_scene(SceneView scene, const PlanOptions& options) {
-  if (options.buffers_only) {
-    require_all_flags(scene);
-    return plan_buffers(scene.spheres.size(), options);
-  }
-  return make_plan(measure(scene), options);
+  return plan_for(scene, stats_for(scene, options), options);
 }
 
 Outcome find_completely(PairFinder& finder, SceneView scene, const PlanOptions& options) {
   HostClock planning(Marks::off);
   planning.start();
-  const Plan plan = plan_scene(scene, options);
+  std::optional<SceneStats> stats = stats_for(scene, options);
+  const Plan plan = plan_for(scene, stats, options);
   const double plan_ms = planning.stop().total_ms;
 
   const std::unique_ptr<StageClock> clock = finder.make_clock(Marks::on);
   Outcome outcome = complete(finder, scene, plan, *clock);
+  outcome.stats = std::move(stats);
   outcome.plan_ms = plan_ms;
   return outcome;
 }

@@ -2,6 +2,7 @@
 // Runs a finder on a scene until its answer is complete, however small the first buffers were.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "core/finder.hpp"
@@ -10,7 +11,9 @@
 namespace octocell {
 
 struct Outcome {
-  Plan plan;  // the last one, which was large enough
+  std::optional<SceneStats> stats;  // that the plan was made from, by find_completely() for one of
+                                    // our backends
+  Plan plan;                        // the last one, which was large enough
   Counts counts;
   StageTimes times;      // of the last run
   double plan_ms = 0.0;  // for statistics and choices

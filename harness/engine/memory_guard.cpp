@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "core/available_memory.hpp"
 #include "core/error.hpp"
@@ -14,7 +15,6 @@
 namespace octocell {
 namespace {
 
-constexpr double kGiB = 1073741824.0;
 double bytes_of(const Capacities& lists, const HostBytes& bytes) {
   return bytes.per_id * static_cast<double>(lists.ids) +
          bytes.per_cell * static_cast<double>(lists.cells) +
@@ -42,11 +42,10 @@ Plan fitted(Plan plan, const HostBytes& bytes, const Capacities& certain, double
   const double needed = bytes.fixed + bytes_of(certain, bytes);
   const double left = *available + held - needed;
   if (left < 0.0) {
-    throw LimitError(fmt::format(
-        "{} spheres, {} cell ids and {} pairs need {:.1f} GiB, and {:.1f} GiB are available{}",
-        plan.facts.sphere_count, certain.ids, certain.pairs, needed / kGiB,
-        (*available + held) / kGiB,
-        certain.pairs > 0 ? "; counting (--count) needs no memory for pairs" : ""));
+    const std::string what = fmt::format("{} spheres, {} cell ids and {} pairs",
+                                         plan.facts.sphere_count, certain.ids, certain.pairs);
+    throw LimitError(lack_of_memory(what, needed, *available + held) +
+                     (certain.pairs > 0 ? "; counting (--count) needs no memory for pairs" : ""));
   }
   const double share = left / (wanted - needed);
   Capacities& room = plan.capacity;

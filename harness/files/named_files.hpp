@@ -14,17 +14,18 @@
 #include "harness/files/load.hpp"
 #include "harness/scenes/scenes.hpp"
 
-namespace octocell::cli {
+namespace octocell {
 
 class NamedFiles {
  public:
   void read_scene(std::string_view argument, const std::optional<std::string>& flags = {}) {
     if (auto path = file_of(argument)) {
       if (*path == kStandardInput) *path = "/dev/stdin";
-      inputs_.push_back({"SCENE", std::move(*path)});
+      read("SCENE", std::move(*path));
     }
-    if (flags) inputs_.push_back({"--flags", *flags});
+    if (flags) read("--flags", *flags);
   }
+  void read(std::string_view role, std::string path) { inputs_.push_back({role, std::move(path)}); }
   void write(std::string_view option, const std::optional<std::string>& path) {
     if (path && !path->empty()) outputs_.push_back({option, *path});
   }
@@ -36,4 +37,4 @@ class NamedFiles {
   std::vector<NamedFile> outputs_;
 };
 
-}  // namespace octocell::cli
+}  // namespace octocell
