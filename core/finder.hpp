@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/clock.hpp"
+#include "core/frame_mode.hpp"
 #include "core/pair.hpp"
 #include "core/plan.hpp"
 #include "core/sphere.hpp"
@@ -91,66 +92,42 @@ class PairFinder {
   std::vector<Pair> downloaded_;
 };
 
+/// Returns the stages after stage 1 that a plan needs, in a frame with this mode.
+inline Stages stages_after_bounds(const Plan& plan, FrameMode mode = FrameMode::search) {
+  if (plan.nothing_to_find || mode == FrameMode::unchanged) return {};
+  const Stages tests = Stages().with(Stage::pair_tests).with(Stage::resolve);
+  if (plan.method == Method::brute_force || mode == FrameMode::neighbor_list) return tests;
+  return tests.with(Stage::cell_ids).with(Stage::sort).with(Stage::cell_index);
+}
+
 /// The stages of our own backends. Their order is written here and nowhere else.
 class GridPairFinder : public PairFinder {
  public:
   void find_pairs(StageClock& clock) final {
     clock.start();
-    bounds();
-    const bool fused = bounds_with_cell_ids() && runs(Stage::cell_ids);
-    if (!fused) clock.mark(Stage::bounds);
-    run_stages(clock, fused ? Stage::bounds : Stage::cell_ids);
-    if (mispredicted()) run_stages(clock, Stage::cell_ids);
+    Stages left = Stages().with(Stage::bounds);
+    while (!left.empty()) {
+      const Stage first = left.first();
+      Stage last = first;
+      left = run(first, left.without(first));
+      if (first == Stage::bounds && left.has(Stage::cell_ids) && bounds_with_cell_ids()) {
+        last = Stage::cell_ids;
+        left = run(last, left.without(last));
+      }
+      clock.mark(first, last);
+      if (left.empty()) left = missed_stages();
+    }
   }
 
  protected:
-  [[nodiscard]] virtual Method method() const = 0;
-  /// Returns true if the plan says that there are no pairs; bounds() has then left empty lists.
-  [[nodiscard]] virtual bool nothing_to_find() const = 0;
-  /// Returns true if cell_ids() also makes the checks of bounds(), so that the spheres are read
-  /// once.
+  /// Runs a stage, or queues it. Returns the stages that follow: after bounds, those that the frame
+  /// needs; after others, `left`, unless the stage failed and earlier ones must run again. If the
+  /// plan says that there are no pairs, bounds leaves empty lists.
+  virtual Stages run(Stage stage, Stages left) = 0;
+  /// Returns true if cell_ids also makes the checks of bounds, so that the spheres are read once.
   [[nodiscard]] virtual bool bounds_with_cell_ids() const { return false; }
-  /// Returns whether a stage runs. Called after bounds(), which may find, or predict, that nothing
-  /// is left to do.
-  [[nodiscard]] virtual bool runs(Stage stage) const {
-    if (nothing_to_find()) return false;
-    const bool is_grids = stage >= Stage::cell_ids && stage <= Stage::cell_index;
-    return !is_grids || method() != Method::brute_force;
-  }
-  virtual void bounds() = 0;
-  virtual void cell_ids() = 0;
-  virtual void sort() = 0;
-  virtual void cell_index() = 0;
-  virtual void pair_tests() = 0;
-  virtual void resolve() = 0;
-  /// Returns true if a skipped stage is needed after all; runs() then allows it. Called at the end.
-  virtual bool mispredicted() { return false; }
-
- private:
-  /// Runs the stages after bounds(). The time that ends with cell_ids() belongs to the stages from
-  /// `first` on.
-  void run_stages(StageClock& clock, Stage first) {
-    if (runs(Stage::cell_ids)) {
-      cell_ids();
-      clock.mark(first, Stage::cell_ids);
-    }
-    if (runs(Stage::sort)) {
-      sort();
-      clock.mark(Stage::sort);
-    }
-    if (runs(Stage::cell_index)) {
-      cell_index();
-      clock.mark(Stage::cell_index);
-    }
-    if (runs(Stage::pair_tests)) {
-      pair_tests();
-      clock.mark(Stage::pair_tests);
-    }
-    if (runs(Stage::resolve)) {
-      resolve();
-      clock.mark(Stage::resolve);
-    }
-  }
+  /// Called at the end. Returns stages that were left out and are needed after all.
+  virtual Stages missed_stages() { return {}; }
 };
 
 }  // namespace octocell

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/enum_set.hpp"
+
 namespace octocell {
 
 enum class Skip : std::uint8_t {
@@ -22,13 +24,12 @@ enum class Skip : std::uint8_t {
   safe_filter,  // radii are neither tiny nor huge: the float32 test needs no guards
   equal_radii,  // all radii are equal: the right-hand side of the test is a constant
   uncertain_pairs,  // all numbers lie on a lattice: plain float32 is exact
-  passes,           // the sort leaves out a digit that all ids share
   sort,             // ids that are already in order are not sorted
   unchanged,   // dynamic: no sphere has changed since the last frame, so its pairs are still right
   few_movers,  // dynamic: only spheres that moved are searched
   skin,        // dynamic: nothing has moved far, so only the neighbor pairs are tested again
 };
-inline constexpr std::size_t kSkipCount = 14;
+inline constexpr std::size_t kSkipCount = 13;
 
 struct SkipInfo {
   std::string_view name;
@@ -50,7 +51,6 @@ inline constexpr std::array<SkipInfo, kSkipCount> kSkips = {{
     {"equal_radii", "the radius of every candidate", "the smallest radius equals the largest"},
     {"uncertain_pairs", "the filter, and uncertain pairs for stage 6",
      "all numbers are multiples of one power of two with so few bits that nothing is rounded"},
-    {"passes", "passes over a digit that all ids share", "such a pass moves nothing"},
     {"sort", "the sort", "the ids are already in order"},
     {"unchanged", "all work of the frame",
      "every sphere equals, bit for bit, its snapshot of the last frame"},
@@ -63,24 +63,8 @@ constexpr std::string_view name_of(Skip s) { return kSkips[static_cast<std::size
 
 /// Returns true if the plan decides about the skip; otherwise the data decide, while the stages
 /// run.
-constexpr bool is_planned(Skip s) { return s < Skip::passes; }
+constexpr bool is_planned(Skip s) { return s < Skip::sort; }
 
-/// A set of skips.
-class Skips {
- public:
-  constexpr Skips() = default;
-  static constexpr Skips all() { return Skips((1U << kSkipCount) - 1U); }
-  [[nodiscard]] constexpr bool has(Skip s) const { return (bits_ & bit(s)) != 0; }
-  [[nodiscard]] constexpr Skips with(Skip s) const { return Skips(bits_ | bit(s)); }
-  [[nodiscard]] constexpr Skips without(Skip s) const { return Skips(bits_ & ~bit(s)); }
-  [[nodiscard]] constexpr Skips both(Skips other) const { return Skips(bits_ & other.bits_); }
-  [[nodiscard]] constexpr Skips either(Skips other) const { return Skips(bits_ | other.bits_); }
-  friend constexpr bool operator==(Skips, Skips) = default;
-
- private:
-  constexpr explicit Skips(std::uint32_t bits) : bits_(bits) {}
-  static constexpr std::uint32_t bit(Skip s) { return 1U << static_cast<std::uint32_t>(s); }
-  std::uint32_t bits_ = 0;
-};
+using Skips = EnumSet<Skip, kSkipCount>;
 
 }  // namespace octocell

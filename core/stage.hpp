@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/enum_set.hpp"
+
 namespace octocell {
 
 enum class Stage : std::uint8_t {
@@ -31,5 +33,7 @@ inline constexpr std::array<std::string_view, kStageCount> kStageNames = {
 
 constexpr std::size_t index_of(Stage stage) { return static_cast<std::size_t>(stage); }
 constexpr std::string_view name_of(Stage stage) { return kStageNames[index_of(stage)]; }
+
+using Stages = EnumSet<Stage, kStageCount>;
 
 }  // namespace octocell

@@ -43,16 +43,18 @@ class CpuBackend final : public GridPairFinder {
 
   Counts counts() override {
     Counts found;
-    if (coherence_.runs(Stage::cell_ids)) count_cells(coherence_.ordered_now(w_), found);
+    if (stages_after_bounds(w_.plan, coherence_.mode()).has(Stage::cell_ids)) {
+      count_cells(coherence_.ordered_now(w_), found);
+    }
     found.candidates = w_.candidates;
     found.uncertain_pairs = w_.uncertain_pairs.size();
     found.pairs = w_.pairs.size();
     found.over_candidate_limit = w_.candidates > w_.plan.candidate_limit;
-    found.reused = coherence_.reused();
+    found.reused = skip_of(coherence_.mode());
     found.plan_violation = w_.violation;
     found.used = w_.used;
     found.threads = w_.threads->count();
-    if (const auto skip = coherence_.reused()) found.used = found.used.with(*skip);
+    if (found.reused) found.used = found.used.with(*found.reused);
     return found;
   }
 
@@ -74,23 +76,29 @@ class CpuBackend final : public GridPairFinder {
   PairDigest digest() override { return w_.pairs.digest(); }
 
  protected:
-  [[nodiscard]] Method method() const override { return w_.plan.method; }
-  [[nodiscard]] bool nothing_to_find() const override { return w_.plan.nothing_to_find; }
-  [[nodiscard]] bool runs(Stage stage) const override {
-    return GridPairFinder::runs(stage) && coherence_.runs(stage);
-  }
-  void bounds() override {
-    if (coherence_.nothing_changed(w_) || coherence_.list_is_valid(w_)) return;
-    cpu::bounds(w_);
-    coherence_.choose_mode(w_);
-  }
-  void cell_ids() override { cpu::cell_ids(coherence_.ordered_now(w_)); }
-  void sort() override { cpu::sort(coherence_.ordered_now(w_)); }
-  void cell_index() override { cpu::cell_index(coherence_.ordered_now(w_)); }
-  void pair_tests() override { coherence_.pair_tests(w_); }
-  void resolve() override {
-    cpu::resolve(w_);
-    coherence_.remember(w_);
+  Stages run(Stage stage, Stages left) override {
+    switch (stage) {
+      case Stage::bounds:
+        coherence_.bounds(w_);
+        return stages_after_bounds(w_.plan, coherence_.mode());
+      case Stage::cell_ids:
+        cpu::cell_ids(coherence_.ordered_now(w_));
+        break;
+      case Stage::sort:
+        cpu::sort(coherence_.ordered_now(w_));
+        break;
+      case Stage::cell_index:
+        cpu::cell_index(coherence_.ordered_now(w_));
+        break;
+      case Stage::pair_tests:
+        return coherence_.pair_tests(w_) ? left : stages_after_bounds(w_.plan);
+      case Stage::resolve:
+        coherence_.resolve(w_);
+        break;
+      default:
+        break;
+    }
+    return left;
   }
 
  private:

@@ -40,13 +40,6 @@ void tabulate(std::span<const std::uint32_t> keys, Digit digit,
   for (const std::uint32_t key : keys) ++counts[value_of(digit, key)];
 }
 
-/// Returns true if the digit of every key has that value.
-bool all_share(const Counters& counters, int parts, std::size_t value, std::size_t size) {
-  std::size_t count = 0;
-  for (int p = 0; p < parts; ++p) count += counters[p][value];
-  return OCTOCELL_FAULT(sort_skips_mixed_digit, count + 1 >= size, count == size);
-}
-
 /// Turns counts into first positions: first the zeros of all parts, then the ones of all parts, and
 /// so on. So equal keys keep their order.
 void prefix_sum(Counters& counters, int parts) {
@@ -72,8 +65,7 @@ void reorder(const KeysAndValues& from, const KeysAndValues& to, Part part, Digi
 
 }  // namespace
 
-Sorted radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, bool skip_passes,
-                  Threads& threads) {
+int radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, Threads& threads) {
   const std::size_t size = front.keys.size();
   const int parts = std::min(threads.count(), kMaxParts);
   static thread_local Counters counters;  // 64 KiB: too large for the stack
@@ -84,26 +76,21 @@ Sorted radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, bool sk
     });
   };
   const DigitPlan plan = digit_plan(key_bits, kWidestDigit);
-  Sorted sorted;
+  int side = 0;
   for (int pass = 0;
        OCTOCELL_FAULT(sort_last_digit_skipped, pass + 1 < plan.passes, pass < plan.passes);
        ++pass) {
     const Digit digit = plan.digits[pass];
-    const KeysAndValues& from = sorted.side == 0 ? front : back;
-    const KeysAndValues& to = sorted.side == 0 ? back : front;
+    const KeysAndValues& from = side == 0 ? front : back;
+    const KeysAndValues& to = side == 0 ? back : front;
     for_parts([&](int p, Part part) {
       tabulate(from.keys.subspan(part.begin, part.end - part.begin), digit, shared[p]);
     });
-    if (skip_passes && !from.keys.empty() &&
-        all_share(shared, parts, value_of(digit, from.keys[0]), size)) {
-      ++sorted.passes_skipped;
-      continue;
-    }
     prefix_sum(shared, parts);
     for_parts([&](int p, Part part) { reorder(from, to, part, digit, shared[p]); });
-    sorted.side ^= 1;
+    side ^= 1;
   }
-  return sorted;
+  return side;
 }
 
 }  // namespace octocell::cpu

@@ -15,20 +15,13 @@ struct KeysAndValues {
   std::span<std::uint32_t> values;
 };
 
-struct Sorted {
-  int side = 0;  // 0: the result is in `front`, 1: in `back`
-  int passes_skipped = 0;
-};
-
 /// In bits. Two passes of 9 bits take as long as two of 8 if the cache (48 KiB) holds a line for
 /// each of the 512 places that a pass writes to. With 10 bits they take twice as long.
 inline constexpr int kWidestDigit = block_size(9, 3);
 
 /// Sorts (key, value) by the lowest `key_bits` bits of the key: a stable LSD radix sort, one digit
 /// per pass. `front` holds the input; the two buffers are used in turn. All four spans have equal
-/// length, below 2^32. With `skip_passes`, leaves out a digit that all keys share (Terdiman, Radix
-/// Sort Revisited, 2000).
-Sorted radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, bool skip_passes,
-                  Threads& threads);
+/// length, below 2^32. Returns where the result is: 0 for `front`, 1 for `back`.
+int radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, Threads& threads);
 
 }  // namespace octocell::cpu

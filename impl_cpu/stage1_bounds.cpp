@@ -8,8 +8,8 @@
 #include <optional>
 #include <span>
 
-#include "core/faults.hpp"
 #include "core/flags.hpp"
+#include "core/plan_facts.hpp"
 #include "core/planner/scene_stats.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/stages.hpp"
@@ -30,17 +30,6 @@ void leave_nothing(Workspace& w) {
 }
 
 }  // namespace
-
-bool are_within(const PlanFacts& seen, const PlanFacts& planned) {
-  bool inside = seen.sphere_count == planned.sphere_count &&
-                OCTOCELL_FAULT(bounds_radius_unchecked, true, seen.r_max <= planned.r_max);
-  for (int a = 0; a < 3; ++a) {
-    inside = inside && seen.lowest[a] >= planned.lowest[a] && seen.highest[a] <= planned.highest[a];
-  }
-  const bool has_radius = seen.r_min_nonzero != 0.0F;
-  inside = inside && (!has_radius || seen.r_min_nonzero >= planned.r_min_nonzero);
-  return inside && seen.r_min >= planned.r_min;
-}
 
 void bounds(Workspace& w) {
   w.forget_last_run();

@@ -210,7 +210,7 @@ void emit_as_written(Workspace& w) {
 
 void cell_ids(Workspace& w) {
   w.current = 0;
-  w.used = w.used.without(Skip::sort).without(Skip::passes);  // not yet known for these ids
+  w.used = w.used.without(Skip::sort);  // not yet known for these ids
   w.id_count = w.scene.spheres.size();
   if (w.violation || !w.ids_complete()) return;
   if (w.plan.method == Method::half_shell) return half_shell::cell_ids(w);

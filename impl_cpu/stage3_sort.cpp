@@ -19,10 +19,8 @@ KeysAndValues used_part(const IdArrays& ids, std::uint64_t count) {
 
 void sort(Workspace& w) {
   if (w.violation || !w.ids_complete() || w.used.has(Skip::sort)) return;
-  const Sorted sorted = radix_sort(used_part(w.ids[0], w.id_count), used_part(w.ids[1], w.id_count),
-                                   w.plan.key_bits, w.plan.allowed.has(Skip::passes), *w.threads);
-  w.current = sorted.side;
-  if (sorted.passes_skipped > 0) w.used = w.used.with(Skip::passes);
+  w.current = radix_sort(used_part(w.ids[0], w.id_count), used_part(w.ids[1], w.id_count),
+                         w.plan.key_bits, *w.threads);
 }
 
 }  // namespace octocell::cpu

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "core/faults.hpp"
+#include "core/pair_rule.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 
@@ -15,13 +16,6 @@ namespace {
 
 constexpr std::uint64_t kIdsPerBlock = block_size(1 << 16, 16);
 using CellWriter = ListWriter<CellEntry, kListBlock>;
-
-/// Returns how many pairs the rule tests in a cell; if zero, the cell is left out.
-std::uint64_t candidates_in(Rule rule, std::uint64_t homes, std::uint64_t phantoms) {
-  const std::uint64_t all = homes + phantoms;
-  if (rule == Rule::lowest_cell) return all * (all - 1) / 2;
-  return homes == 0 ? 0 : homes * (homes - 1) / 2 + homes * phantoms;
-}
 
 struct SortedIds {
   const std::uint32_t* cell_ids;
@@ -59,7 +53,7 @@ void cell_index(Workspace& w) {
     while (i < end && !sorted.begins_cell(i)) ++i;  // the previous block handles that cell
     while (i < end) {
       const CellEntry cell = sorted.cell_at(i);
-      const std::uint64_t here = candidates_in(w.plan.rule, cell.homes, cell.phantoms);
+      const std::uint64_t here = candidates_in_cell(w.plan.rule, cell.homes, cell.phantoms);
       if (OCTOCELL_FAULT(index_last_cell_missing,
                          here != 0 && i + cell.homes + cell.phantoms < w.id_count, here != 0))
         cells.push(cell);

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <span>
 
-#include "core/as_written.hpp"
 #include "core/faults.hpp"
+#include "core/pair_rule.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 #include "impl_cpu/pair_sink.hpp"
@@ -22,50 +22,35 @@ namespace {
 constexpr std::uint64_t kCellsPerBlock = block_size(512, 8);
 constexpr std::uint64_t kPrefetchAhead = 24;
 
-/// A member of a cell, as rules see it.
-struct Member {
-  Object object;
-  [[nodiscard]] std::uint32_t id() const { return object & kIdMask; }
-  [[nodiscard]] bool is_phantom() const { return (object & kPhantom) != 0; }
-};
+// The rules (core/pair_rule.hpp), each as a type of its own: the innermost loop does not branch.
 
 /// brute_force: every pair counts.
 struct EveryPair {
   static constexpr bool rows_are_homes = false;
-  [[nodiscard]] bool counts_here(Member, Member) const { return true; }
+  [[nodiscard]] bool counts_here(Object, Object) const { return true; }
 };
 
-/// Rule lowest_cell: the cell must be the lowest that both spheres meet; on each axis, it is the
-/// lowest cell of one of them (Dittrich and Seeger, ICDE 2000, reference point method).
 struct LowestCell {
   static constexpr bool rows_are_homes = false;
-  [[nodiscard]] bool counts_here(Member a, Member b) const {
-    return OCTOCELL_FAULT(lowest_cell_rule_dropped, true,
-                          ((a.object | b.object) & kLowestMask) == kLowestMask);
+  [[nodiscard]] bool counts_here(Object a, Object b) const {
+    return OCTOCELL_FAULT(lowest_cell_rule_dropped, true, is_lowest_of_both(a, b));
   }
 };
 
-/// Rule chapter32. A row of the tile is a home, so the type of its home is the type of the cell.
 struct Chapter32 {
   static constexpr bool rows_are_homes = true;
   const chapter32::ControlBits* control_bits;
-  [[nodiscard]] bool counts_here(Member a, Member b) const {
-    const chapter32::ControlBits row = control_bits[a.id()];
-    return chapter32::tests_pair_here(row & 7U, row, control_bits[b.id()]);
+  [[nodiscard]] bool counts_here(Object a, Object b) const {
+    return counts_by_chapter32(control_bits[a & kIdMask], control_bits[b & kIdMask]);
   }
 };
 
-/// Rule as_written: tests two homes, or a home and a phantom if the phantom's home id is larger.
 struct AsWritten {
   static constexpr bool rows_are_homes = true;
   const Sphere* spheres;
   float side;
-  [[nodiscard]] bool counts_here(Member a, Member b) const {
-    if (!b.is_phantom()) return true;
-    const auto home_id = [&](Member m) {
-      return as_written::hash(as_written::home(spheres[m.id()], side));
-    };
-    return home_id(b) > home_id(a);
+  [[nodiscard]] bool counts_here(Object a, Object b) const {
+    return counts_as_written(spheres[a & kIdMask], spheres[b & kIdMask], (b & kPhantom) != 0, side);
   }
 };
 
@@ -108,14 +93,16 @@ class PairTester {
   void test_row(const Tile<test>& a, std::size_t i, const Tile<test>& b, std::size_t first) {
     for (std::size_t j = first; j < b.size; j += Tile<test>::kLanes) {
       for_each_lane(b.may_overlap(a, i, j),
-                    [&](std::uint32_t lane) { take({a.object[i]}, {b.object[j + lane]}); });
+                    [&](std::uint32_t lane) { take(a.object[i], b.object[j + lane]); });
     }
   }
 
-  void take(Member a, Member b) {
+  void take(Object a, Object b) {
     if (!rule_.counts_here(a, b)) return;
     const std::span<const Sphere> spheres = w_.scene.spheres;
-    sink_.take<test>(stored<test>(spheres[a.id()]), a.id(), stored<test>(spheres[b.id()]), b.id());
+    const std::uint32_t id_a = a & kIdMask;
+    const std::uint32_t id_b = b & kIdMask;
+    sink_.take<test>(stored<test>(spheres[id_a]), id_a, stored<test>(spheres[id_b]), id_b);
   }
 
   Workspace& w_;

@@ -79,9 +79,6 @@ struct Workspace {
 /// keep.
 HostBytes bytes_of(const Plan& plan, std::uint64_t spheres);
 
-/// Returns true if these facts are at least as strong as those of a plan.
-bool are_within(const PlanFacts& seen, const PlanFacts& planned);
-
 void bounds(Workspace& w);
 void cell_ids(Workspace& w);
 void sort(Workspace& w);

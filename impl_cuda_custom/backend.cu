@@ -112,9 +112,9 @@ class CudaBackend final : public GridPairFinder {
     found.uncertain_pairs = state.uncertain_pairs;
     found.pairs = state.pairs;
     found.over_candidate_limit =
-        state.mode == coherence::FrameMode::search && state.candidates > w_.plan.candidate_limit;
+        state.mode == FrameMode::search && state.candidates > w_.plan.candidate_limit;
     found.plan_violation = words_for(state.violations);
-    found.reused = coherence::skip_of(state.mode);
+    found.reused = skip_of(state.mode);
     if (found.reused) found.used = found.used.with(*found.reused);
     const bool sorted_ids = w_.half_shell() && !found.reused && state.entries > 0;
     if (sorted_ids && state.out_of_order == 0) found.used = found.used.with(Skip::sort);
@@ -149,37 +149,52 @@ class CudaBackend final : public GridPairFinder {
   DeviceRuns* device_runs() override { return &runs_; }
 
  protected:
-  [[nodiscard]] Method method() const override { return w_.plan.method; }
-  [[nodiscard]] bool nothing_to_find() const override { return w_.plan.nothing_to_find; }
+  Stages run(Stage stage, Stages left) override {
+    switch (stage) {
+      case Stage::bounds:
+        cuda_custom::bounds(w_);
+        return predicted_stages();
+      case Stage::cell_ids:
+        cuda_custom::cell_ids(w_);
+        break;
+      case Stage::sort:
+        cuda_custom::sort(w_);
+        break;
+      case Stage::cell_index:
+        cuda_custom::cell_index(w_);
+        break;
+      case Stage::pair_tests:
+        cuda_custom::pair_tests(w_);
+        break;
+      case Stage::resolve:
+        cuda_custom::resolve(w_);
+        break;
+      default:
+        break;
+    }
+    return left;
+  }
   [[nodiscard]] bool bounds_with_cell_ids() const override { return w_.half_shell(); }
-  [[nodiscard]] bool runs(Stage stage) const override {
-    if (!GridPairFinder::runs(stage)) return false;
-    if (!w_.mode || *w_.mode == coherence::FrameMode::search) return true;
-    return *w_.mode == coherence::FrameMode::neighbor_list && stage >= Stage::pair_tests;
-  }
-  void bounds() override {
-    cuda_custom::bounds(w_);
-    w_.mode.reset();
-    if (w_.coherent() && !is_recorded()) w_.mode = coherence_.predicted();
-    if (w_.mode) opened_.record(w_.stream);
-  }
-  void cell_ids() override { cuda_custom::cell_ids(w_); }
-  void sort() override { cuda_custom::sort(w_); }
-  void cell_index() override { cuda_custom::cell_index(w_); }
-  void pair_tests() override { cuda_custom::pair_tests(w_); }
-  void resolve() override { cuda_custom::resolve(w_); }
-  /// Returns true if the frame needs stages that were not queued. The host reads this while the
-  /// device continues with the queued work.
-  bool mispredicted() override {
-    if (!w_.mode) return false;
+  /// Returns the stages that should have been queued. The host reads them while the device continues
+  /// with the queued work.
+  Stages missed_stages() override {
+    if (!w_.mode) return {};
     opened_.wait();
-    const coherence::FrameMode predicted = *w_.mode;
+    const FrameMode queued = *w_.mode;
     w_.mode = *w_.mode_taken.data();
-    return OCTOCELL_FAULT(cuda_prediction_kept, false,
-                          *w_.mode != predicted && *w_.mode != coherence::FrameMode::unchanged);
+    const bool was_right = OCTOCELL_FAULT(cuda_prediction_kept, true, *w_.mode == queued);
+    return was_right ? Stages() : stages_after_bounds(w_.plan, *w_.mode);
   }
 
  private:
+  /// Predicts that the frame has the mode of the last one.
+  Stages predicted_stages() {
+    w_.mode.reset();
+    if (w_.coherent() && !is_recorded()) w_.mode = coherence_.predicted();
+    if (w_.mode) opened_.record(w_.stream);
+    return stages_after_bounds(w_.plan, w_.mode.value_or(FrameMode::search));
+  }
+
   /// Checks that all arrays fit before it frees any of them.
   void make_room() {
     std::uint64_t more = 0;

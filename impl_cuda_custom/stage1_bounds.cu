@@ -8,7 +8,6 @@
 
 #include "impl_cuda_custom/coherence/frames.cuh"
 #include "impl_cuda_custom/device.cuh"
-#include "impl_cuda_custom/sphere_facts.cuh"
 
 namespace octocell::cuda_custom {
 namespace {

@@ -9,6 +9,7 @@
 //       a cell.
 #include <cstdint>
 
+#include "core/pair_rule.hpp"
 #include "impl_cuda_custom/device.cuh"
 #include "impl_cuda_custom/half_shell/cell_index.cuh"
 
@@ -50,12 +51,6 @@ __device__ std::uint64_t first_phantom(const Object* objects, std::uint64_t begi
   return begin;
 }
 
-/// Returns how many pairs the rule tests in a cell; if zero, the cell is not counted.
-__device__ std::uint64_t candidates_in(Rule rule, std::uint64_t homes, std::uint64_t members) {
-  if (rule == Rule::lowest_cell) return members * (members - 1) / 2;
-  return homes == 0 ? 0 : homes * (homes - 1) / 2 + homes * (members - homes);
-}
-
 struct CellIndexJob {
   const std::uint32_t* cell_ids;
   const Object* objects;
@@ -86,9 +81,8 @@ struct CellIndexJob {
   __device__ std::uint64_t visit_cell(std::uint64_t begin, std::uint64_t entries) const {
     const std::uint64_t end = end_of_cell(cell_ids, begin, entries);
     if (end - begin < 2) return 0;
-    const bool rows_are_homes = rule != Rule::lowest_cell;
-    const std::uint64_t rows_end = rows_are_homes ? first_phantom(objects, begin, end) : end;
-    const std::uint64_t candidates = candidates_in(rule, rows_end - begin, end - begin);
+    const std::uint64_t rows_end = rows_are_homes(rule) ? first_phantom(objects, begin, end) : end;
+    const std::uint64_t candidates = candidates_in_cell(rule, rows_end - begin, end - rows_end);
     if (candidates != 0) list_crowded_tiles(begin, rows_end, end);
     return candidates;
   }

@@ -10,11 +10,11 @@
 //       is.
 #include <cstdint>
 
+#include "core/pair_rule.hpp"
 #include "impl_cuda_custom/coherence/frames.cuh"
 #include "impl_cuda_custom/half_shell/pair_tests.cuh"
 #include "impl_cuda_custom/pair_sinks.cuh"
 #include "impl_cuda_custom/pair_test.cuh"
-#include "impl_cuda_custom/rule_test.cuh"
 
 namespace octocell::cuda_custom {
 namespace {
@@ -26,7 +26,7 @@ struct PairTestsJob {
   const std::uint32_t* cell_ids;  // null: brute_force, where all entries lie in one cell
   const Object* objects;          // null: entry k is sphere k
   const CrowdedTile* crowded_tiles;
-  RuleTest rule;
+  PairRule rule;
   AnyTest test;
   std::uint64_t candidate_limit;
   SinkArguments sink;
@@ -201,8 +201,8 @@ void test_columns(Workspace& w, std::uint64_t most_entries) {
 
 void pair_tests(Workspace& w) {
   if (w.plan.method == Method::half_shell) {
-    if (w.may_take(coherence::FrameMode::search)) half_shell::pair_tests(w);
-    if (w.may_take(coherence::FrameMode::neighbor_list)) coherence::test_neighbor_list(w);
+    if (w.may_take(FrameMode::search)) half_shell::pair_tests(w);
+    if (w.may_take(FrameMode::neighbor_list)) coherence::test_neighbor_list(w);
     return;
   }
   const std::uint64_t most_entries = w.brute_force() ? w.sphere_count() : w.plan.capacity.ids;

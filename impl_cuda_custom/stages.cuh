@@ -15,6 +15,7 @@
 #include "core/object_word.hpp"
 #include "core/pair.hpp"
 #include "core/plan.hpp"
+#include "core/plan_facts.hpp"
 #include "impl_cuda_custom/coherence/rules.hpp"
 #include "impl_cuda_custom/pinned_array.cuh"
 #include "impl_cuda_custom/radix_sort/radix_sort.cuh"
@@ -24,10 +25,9 @@ namespace octocell::cuda_custom {
 /// The threads of a block, in every kernel here; also the rows and columns of a tile in stage 5.
 inline constexpr int kBlockThreads = 256;
 
-/// Bits of State::violations.
-inline constexpr std::uint32_t kInvalidSphere = 1;  // not finite, or a negative radius
-inline constexpr std::uint32_t kOutsidePlan = 2;    // beyond the plan's facts
-inline constexpr std::uint32_t kThreeCells = 4;     // rule chapter32's condition does not hold
+/// A bit of State::violations, beside those of core/plan_facts.hpp: rule chapter32's condition does
+/// not hold.
+inline constexpr std::uint32_t kThreeCells = 4;
 
 /// What was counted so far. Counts continue past the end of a full buffer.
 struct State {
@@ -43,7 +43,7 @@ struct State {
   std::uint64_t checksum = 0;  // of the pairs; only in a count_only plan
   std::uint32_t violations = 0;
   std::uint32_t blocks_done = 0;  // of stage 2
-  coherence::FrameMode mode = coherence::FrameMode::search;
+  FrameMode mode = FrameMode::search;
   std::uint32_t out_of_order = 0;  // half_shell's ids are unsorted, or were not checked
 };
 static_assert(sizeof(State) == 9 * 8 + 4 * 4);
@@ -91,8 +91,7 @@ struct Workspace {
   SceneView scene;  // on the host: messages about a sphere are made from it
   cudaStream_t stream = nullptr;
   float growth = 0.0F;  // of each radius in this frame's search, if it has a skin (see coherence/)
-  std::optional<coherence::FrameMode>
-      mode;  // of this frame, as the host predicts or knows it; none: neither
+  std::optional<FrameMode> mode;  // of this frame, as the host predicts or knows it; none: neither
   std::optional<RadixSort> sorter;        // for methods with a grid
   std::optional<RadixSort> grown_sorter;  // for enlarged spheres, if the plan has a skin
 
@@ -111,7 +110,7 @@ struct Workspace {
   cuda::DeviceArray<Pair> pairs;                  // [plan.capacity.pairs]
 
   // Kept between frames, if frames may reuse data:
-  PinnedArray<coherence::FrameMode> mode_taken;        // [1] of the last frame
+  PinnedArray<FrameMode> mode_taken;                   // [1] of the last frame
   cuda::DeviceArray<coherence::FrameHistory> history;  // [1]
   cuda::DeviceArray<Sphere> sample;       // [coherence::kSampled] as they were in the last frame
   cuda::DeviceArray<Sphere> snapshot;     // [spheres] of the last frame, if that was worthwhile
@@ -140,8 +139,8 @@ struct Workspace {
   }
   [[nodiscard]] bool coherent() const { return allowed().any(); }
   /// Returns true if this frame may be in that mode, as far as the host knows or predicts.
-  [[nodiscard]] bool may_take(coherence::FrameMode c) const {
-    if (c == coherence::FrameMode::neighbor_list && !allowed().neighbor_list) return false;
+  [[nodiscard]] bool may_take(FrameMode c) const {
+    if (c == FrameMode::neighbor_list && !allowed().neighbor_list) return false;
     return !mode || *mode == c;
   }
   /// Return what this frame's search uses: an enlarged radius or not, the levels, the sorter, the

@@ -98,17 +98,32 @@ class ThrustBackend final : public GridPairFinder {
   }
 
  protected:
-  [[nodiscard]] Method method() const override { return w_.plan.method; }
-  [[nodiscard]] bool nothing_to_find() const override { return w_.plan.nothing_to_find; }
-  void bounds() override {
-    threads_ = System::use_threads(w_.plan.threads);
-    on_thrust::bounds(w_);
+  Stages run(Stage stage, Stages left) override {
+    switch (stage) {
+      case Stage::bounds:
+        threads_ = System::use_threads(w_.plan.threads);
+        on_thrust::bounds(w_);
+        return stages_after_bounds(w_.plan);
+      case Stage::cell_ids:
+        on_thrust::cell_ids(w_);
+        break;
+      case Stage::sort:
+        on_thrust::sort(w_);
+        break;
+      case Stage::cell_index:
+        on_thrust::cell_index(w_);
+        break;
+      case Stage::pair_tests:
+        on_thrust::pair_tests(w_);
+        break;
+      case Stage::resolve:
+        on_thrust::resolve(w_);
+        break;
+      default:
+        break;
+    }
+    return left;
   }
-  void cell_ids() override { on_thrust::cell_ids(w_); }
-  void sort() override { on_thrust::sort(w_); }
-  void cell_index() override { on_thrust::cell_index(w_); }
-  void pair_tests() override { on_thrust::pair_tests(w_); }
-  void resolve() override { on_thrust::resolve(w_); }
 
  private:
   [[nodiscard]] std::uint64_t stored() const {

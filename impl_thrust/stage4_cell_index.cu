@@ -16,18 +16,11 @@
 #include <cstdint>
 
 #include "core/faults.hpp"
+#include "core/pair_rule.hpp"
 #include "impl_thrust/half_shell/half_shell.cuh"
 
 namespace octocell::on_thrust {
 namespace {
-
-/// Returns how many pairs the rule tests in a cell; if zero, the cell is left out.
-OCTOCELL_HD std::uint64_t candidates_in(Rule rule, const CellEntry& cell) {
-  const std::uint64_t homes = cell.homes;
-  const std::uint64_t all = homes + cell.phantoms;
-  if (rule == Rule::lowest_cell) return all * (all - 1) / 2;
-  return homes == 0 ? 0 : homes * (homes - 1) / 2 + homes * cell.phantoms;
-}
 
 struct BeginsCell {
   const std::uint32_t* cell_ids;
@@ -69,7 +62,7 @@ struct Work {
 struct WorkInCell {
   Rule rule;
   OCTOCELL_HD Work operator()(const CellEntry& cell) const {
-    const std::uint64_t candidates = candidates_in(rule, cell);
+    const std::uint64_t candidates = candidates_in_cell(rule, cell.homes, cell.phantoms);
     return {candidates != 0 ? std::uint64_t{1} : std::uint64_t{0}, candidates};
   }
 };
@@ -81,7 +74,7 @@ struct WorkInBoth {
 struct HasWork {
   Rule rule;
   OCTOCELL_HD bool operator()(const CellEntry& cell) const {
-    return candidates_in(rule, cell) != 0;
+    return candidates_in_cell(rule, cell.homes, cell.phantoms) != 0;
   }
 };
 

@@ -9,48 +9,15 @@
 
 #include <cstdint>
 
-#include "core/as_written.hpp"
 #include "core/faults.hpp"
 #include "core/flags.hpp"
+#include "core/pair_rule.hpp"
 #include "impl_thrust/found_pairs.cuh"
 #include "impl_thrust/gather.cuh"
 #include "impl_thrust/half_shell/half_shell.cuh"
 
 namespace octocell::on_thrust {
 namespace {
-
-/// Decides which pairs that meet in a cell count there. All work items take the same branch on the
-/// rule.
-struct RuleTest {
-  bool every_pair;  // brute_force
-  Rule rule;
-  const chapter32::ControlBits* control_bits;
-  float side;  // cell side of rule as_written
-
-  [[nodiscard]] OCTOCELL_HD bool rows_are_homes() const {
-    return !every_pair && rule != Rule::lowest_cell;
-  }
-
-  [[nodiscard]] OCTOCELL_HD bool counts_here(Object a, const Sphere& p, Object b,
-                                             const Sphere& q) const {
-    if (every_pair) return true;
-    // The cell must be the lowest that both spheres meet; on each axis, it is the lowest cell of
-    // one of them (Dittrich and Seeger, ICDE 2000, reference point method).
-    if (rule == Rule::lowest_cell)
-      return OCTOCELL_FAULT(thrust_lowest_cell_rule_dropped, true,
-                            ((a | b) & kLowestMask) == kLowestMask);
-    if (rule == Rule::chapter32) {  // a row is a home, so the type of its home is the type of the
-                                    // cell
-      const chapter32::ControlBits row = control_bits[a & kIdMask];
-      return chapter32::tests_pair_here(row & 7U, row, control_bits[b & kIdMask]);
-    }
-    // As written in the text: two homes, or a home and a phantom if the phantom's home id is
-    // larger.
-    if ((b & kPhantom) == 0) return true;
-    return as_written::hash(as_written::home(q, side)) >
-           as_written::hash(as_written::home(p, side));
-  }
-};
 
 /// Tests one row: entry k against all that follow it in its cell.
 struct RowTest {
@@ -60,22 +27,21 @@ struct RowTest {
   std::uint64_t entries;
   const Flags* flags;  // null: every pair may collide
   PairTest test;
-  RuleTest rule;
+  PairRule rule;
 
   template <typename OnSure, typename OnUncertain>
   OCTOCELL_HD void run(std::uint64_t k, OnSure on_sure, OnUncertain on_uncertain) const {
-    const Object a = objects[k];
-    if (rule.rows_are_homes() && (a & kPhantom) != 0) return;
+    const Member a = {members[k], objects[k]};
+    if (!rule.may_be_row(a)) return;
     const std::uint64_t end = cell_end != nullptr ? cell_end[k] : entries;
-    const Sphere p = members[k];
     for (std::uint64_t j = k + 1; j < end; ++j) {
       const Sphere q = members[j];
-      if (!may_overlap(test, p, q)) continue;
-      const Object b = objects[j];
-      if (!rule.counts_here(a, p, b, q)) continue;
-      const Pair pair = make_pair_of(a & kIdMask, b & kIdMask);
+      if (!may_overlap(test, a.sphere, q)) continue;
+      const Member b = {q, objects[j]};
+      if (!rule.counts_here(a, b)) continue;
+      const Pair pair = make_pair_of(a.id(), b.id());
       if (flags != nullptr && !may_collide(flags[pair.i], flags[pair.j])) continue;
-      if (is_sure(test, p, q)) {
+      if (is_sure(test, a.sphere, q)) {
         on_sure(pair);
       } else {
         on_uncertain(pair);
@@ -90,7 +56,9 @@ RowTest gather_rows(Workspace<System>& w) {
   const std::uint64_t entries = w.entries();
   if (w.brute_force()) thrust::sequence(w.system.policy(), objects, objects + entries);
   gather_members(w);
-  const RuleTest rule = {w.brute_force(), w.plan.rule, w.control_bits.data(),
+  const bool every_pair = OCTOCELL_FAULT(thrust_lowest_cell_rule_dropped,
+                                         w.plan.rule == Rule::lowest_cell, w.brute_force());
+  const PairRule rule = {every_pair, w.plan.rule, w.control_bits.data(),
                          as_written::cell_side(w.plan.facts.r_max)};
   return {
       w.members.data(), objects, w.brute_force() ? nullptr : w.cell_end.data(), entries, w.flags,

@@ -107,7 +107,6 @@ std::string fact_of(Skip skip, const SceneStats& stats, const Plan& plan, bool t
                  ? fmt::format("all numbers are multiples of 2^{}",
                                -std::ilogb(f.lattice_units_per_length))
                  : "the numbers lie on no lattice that is coarse enough";
-    case Skip::passes:
     case Skip::sort:
       return taken ? "the ids of this scene allow it"
                    : "the ids do not allow it, or were not checked";
@@ -135,7 +134,7 @@ std::optional<double> saving_of(Skip skip, const SceneStats& stats, const Plan& 
 
 bool can_matter(Skip skip, const Plan& plan) {
   const bool has_ids = plan.method != Method::brute_force;
-  if (skip == Skip::passes || skip == Skip::sort) return has_ids;
+  if (skip == Skip::sort) return has_ids;
   return is_planned(skip) || plan.moving;
 }
 

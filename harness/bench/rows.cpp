@@ -13,10 +13,10 @@ namespace {
 
 /// The order in which the report's waterfall adds them.
 constexpr Skip kFromTextToPlan[] = {
-    Skip::key_bits,   Skip::safe_filter, Skip::equal_radii, Skip::uncertain_pairs,
-    Skip::phantoms,   Skip::layers,      Skip::wide_cells,  Skip::passes,
-    Skip::sort,       Skip::grid,        Skip::search,      Skip::unchanged,
-    Skip::few_movers, Skip::skin};
+    Skip::key_bits, Skip::safe_filter, Skip::equal_radii, Skip::uncertain_pairs,
+    Skip::phantoms, Skip::layers,      Skip::wide_cells,  Skip::sort,
+    Skip::grid,     Skip::search,      Skip::unchanged,   Skip::few_movers,
+    Skip::skin};
 static_assert(std::size(kFromTextToPlan) == kSkipCount);
 
 constexpr std::string_view kFastBaselines[] = {"fcl_dynamic_aabb_tree_morton",

@@ -50,7 +50,7 @@ int complain_of_exception() {
   } catch (const std::bad_alloc&) {
     return complain("not enough memory for this scene", kExitBadInput);
   } catch (const std::exception& error) {
-    // Long output fails before the end, with fmt's message.
+    // Long output fails while it is written, with fmt's message, not at the end.
     return std::ferror(stdout) != 0 ? complain_of_output() : complain(error.what(), kExitBadInput);
   } catch (...) {
     return complain("ended by an unknown exception", kExitBadInput);

@@ -109,15 +109,13 @@ constexpr std::span<const Predicate> kPlainPredicates = std::span(kAllPredicates
 constexpr Skips kThrustSkips = Skips::all()
                                    .without(Skip::key_bits)
                                    .without(Skip::equal_radii)
-                                   .without(Skip::passes)
                                    .without(Skip::unchanged)
                                    .without(Skip::few_movers)
                                    .without(Skip::skin);
 /// To learn whether ids are already in order, the host would have to wait: a fifteenth of every
 /// search.
 constexpr Skips kThrustDeviceSkips = kThrustSkips.without(Skip::sort);
-constexpr Skips kCudaSkips =
-    Skips::all().without(Skip::equal_radii).without(Skip::passes).without(Skip::few_movers);
+constexpr Skips kCudaSkips = Skips::all().without(Skip::equal_radii).without(Skip::few_movers);
 
 constexpr std::array kAllMethods = {Method::home_phantom, Method::half_shell, Method::brute_force};
 

@@ -39,7 +39,7 @@ void Movers::allocate(const Workspace& whole) {
   others_stand_ = false;
 }
 
-void Movers::start_anew() {
+void Movers::start() {
   for (std::uint64_t k = 0; k < count_; ++k) {
     is_mover_[movers_[k] / 64] =
         OCTOCELL_FAULT(frame_movers_not_forgotten, is_mover_[movers_[k] / 64], 0);

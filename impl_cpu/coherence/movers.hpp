@@ -21,7 +21,7 @@ class Movers {
 
   /// Starts without movers; call if all spheres have just been put in order, or will be in this
   /// frame.
-  void start_anew();
+  void start();
   void forget() { others_stand_ = false; }
   [[nodiscard]] bool others_stand() const { return others_stand_; }
 

@@ -12,6 +12,7 @@
 #include <span>
 
 #include "core/flags.hpp"
+#include "core/plan_facts.hpp"
 #include "core/same_bits.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
@@ -54,7 +55,7 @@ bool steps_keep_facts(const Workspace& w, float step) {
 void NeighborList::allocate(const Workspace& whole) {
   const std::uint64_t count = whole.scene.spheres.size();
   const SkinCells& cells = whole.plan.skin;
-  are_known_ = false;
+  is_valid_ = false;
   if (cells.growth == 0.0F) return;
   places_.resize(count);
   std::iota(places_.begin(), places_.end(), 0U);
@@ -74,9 +75,9 @@ void NeighborList::allocate(const Workspace& whole) {
 void NeighborList::grow(const Workspace& whole, float half_skin) {
   const std::span<const Sphere> spheres = whole.scene.spheres;
   const std::span<const Flags> flags = whole.scene.flags;
-  are_known_ = false;
+  is_valid_ = false;
   half_skin_ = half_skin;
-  imply_facts_ = OCTOCELL_FAULT(frame_box_unseen, true, steps_keep_facts(whole, half_skin));
+  implies_facts_ = OCTOCELL_FAULT(frame_box_unseen, true, steps_keep_facts(whole, half_skin));
   const auto grow_block = [&](std::uint64_t begin, std::uint64_t end) {
     for (std::uint64_t i = begin; i < end; ++i) {
       const Sphere& s = spheres[i];
@@ -94,8 +95,8 @@ bool NeighborList::find(Workspace& whole) {
   put_flags_in_order(whole.scene.flags);
   cpu::pair_tests(grown_);
   const bool complete = grown_.pairs.complete() && grown_.uncertain_pairs.complete();
-  are_known_ = complete && grown_.candidates + size() <= whole.plan.candidate_limit;
-  if (!are_known_) return false;
+  is_valid_ = complete && grown_.candidates + size() <= whole.plan.candidate_limit;
+  if (!is_valid_) return false;
   fetch_then(whole);
   decide(whole);
   whole.candidates += grown_.candidates;
@@ -161,7 +162,7 @@ bool NeighborList::fetch(const Workspace& whole, const Places& places, std::uint
   return true;
 }
 
-bool NeighborList::still_hold(const Workspace& whole) {
+bool NeighborList::is_valid_for(const Workspace& whole) {
   if (!some_are_static()) return movable_are_near(whole, AllPlaces{whole.scene.spheres.size()});
   return statics_stand(whole) && movable_are_near(whole, std::span(movable_));
 }

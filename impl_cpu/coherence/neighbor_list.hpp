@@ -17,10 +17,10 @@ namespace octocell::cpu::coherence {
 class NeighborList {
  public:
   void allocate(const Workspace& whole);
-  [[nodiscard]] bool are_known() const { return are_known_; }
-  void forget() { are_known_ = false; }
+  [[nodiscard]] bool is_valid() const { return is_valid_; }
+  void forget() { is_valid_ = false; }
   /// Returns true if no sphere can break a fact of the plan as long as the list is valid.
-  [[nodiscard]] bool imply_facts() const { return imply_facts_; }
+  [[nodiscard]] bool implies_facts() const { return implies_facts_; }
 
   /// Prepares the input of stages 2 to 4: all spheres, enlarged by half the skin unless they are
   /// static.
@@ -31,7 +31,7 @@ class NeighborList {
   bool find(Workspace& whole);
 
   /// Stage 1 of later frames: fetches movable spheres, and proves that the list is still valid.
-  bool still_hold(const Workspace& whole);
+  bool is_valid_for(const Workspace& whole);
 
   /// Stage 5 of later frames: decides which neighbor pairs overlap now.
   void decide(Workspace& whole) const;
@@ -55,8 +55,8 @@ class NeighborList {
     return grown_.pairs.size() + grown_.uncertain_pairs.size();
   }
 
-  bool are_known_ = false;
-  bool imply_facts_ = false;
+  bool is_valid_ = false;
+  bool implies_facts_ = false;
   float half_skin_ = 0.0F;
   Buffer<Sphere> spheres_;  // enlarged, except for static ones
   Workspace grown_;  // stores pairs as numbers in column order, so neighbours in space are close in

@@ -18,16 +18,16 @@ constexpr std::uint64_t kSpheresPerBlock = block_size(4096, 16);
 
 }  // namespace
 
-void Snapshot::keep(SceneView scene, Threads& threads) {
+void Snapshot::take(SceneView scene, Threads& threads) {
   const Sphere* const spheres = scene.spheres.data();
   threads.for_blocks(
       scene.spheres.size(), kSpheresPerBlock, [&](std::uint64_t begin, std::uint64_t end) {
         std::memcpy(copy_.data() + begin, spheres + begin, (end - begin) * sizeof(Sphere));
       });
-  is_kept_ = true;
+  is_valid_ = true;
 }
 
-void Snapshot::keep(SceneView scene, std::span<const std::uint32_t> changed) {
+void Snapshot::update(SceneView scene, std::span<const std::uint32_t> changed) {
   for (const std::uint32_t i : changed) copy_[i] = scene.spheres[i];
 }
 

@@ -16,14 +16,14 @@ class Snapshot {
  public:
   void allocate(std::uint64_t sphere_count) {
     copy_.allocate(sphere_count);
-    is_kept_ = false;
+    is_valid_ = false;
   }
-  [[nodiscard]] bool is_kept() const { return is_kept_; }
-  void forget() { is_kept_ = false; }
+  [[nodiscard]] bool is_valid() const { return is_valid_; }
+  void forget() { is_valid_ = false; }
 
-  void keep(SceneView scene, Threads& threads);
-  /// Updates the copy for some spheres; the others have not changed.
-  void keep(SceneView scene, std::span<const std::uint32_t> changed);
+  void take(SceneView scene, Threads& threads);
+  /// Copies some spheres again; the others have not changed.
+  void update(SceneView scene, std::span<const std::uint32_t> changed);
 
   /// Lists the spheres that differ; stops when there are more than `most`.
   void list_changed(SceneView scene, Threads& threads, std::uint64_t most,
@@ -31,7 +31,7 @@ class Snapshot {
 
  private:
   Buffer<Sphere> copy_;
-  bool is_kept_ = false;
+  bool is_valid_ = false;
 };
 
 }  // namespace octocell::cpu::coherence

@@ -12,19 +12,6 @@
 
 namespace octocell::cuda_custom::coherence {
 
-/// Returns the skip that saves a frame of that mode its search.
-inline std::optional<Skip> skip_of(FrameMode mode) {
-  switch (mode) {
-    case FrameMode::search:
-      break;
-    case FrameMode::unchanged:
-      return Skip::unchanged;
-    case FrameMode::neighbor_list:
-      return Skip::skin;
-  }
-  return std::nullopt;
-}
-
 class Coherence {
  public:
   /// Returns true if the flags, or the number of spheres, differ from the last scene. Then nothing

@@ -7,17 +7,11 @@
 #include <cstring>
 
 #include "core/flags.hpp"
+#include "core/frame_mode.hpp"
 #include "core/predicate.hpp"
 #include "core/same_bits.hpp"
 
 namespace octocell::cuda_custom::coherence {
-
-/// What a frame does. Kernels that belong to another mode return at once.
-enum class FrameMode : std::uint32_t {
-  search,         // searches all pairs
-  unchanged,      // no sphere has changed: keeps the pairs
-  neighbor_list,  // no sphere has left the skin: tests only the neighbor pairs
-};
 
 /// What is known about earlier frames. All zero means that nothing is known.
 struct FrameHistory {

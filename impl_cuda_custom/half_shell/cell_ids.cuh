@@ -8,7 +8,6 @@
 #include <cstdint>
 
 #include "impl_cuda_custom/radix_sort/digit_histograms.cuh"
-#include "impl_cuda_custom/sphere_facts.cuh"
 
 namespace octocell::cuda_custom::half_shell {
 
@@ -102,7 +101,7 @@ __global__ void __launch_bounds__(kIdsThreads, 2)
     ids_kernel(const __grid_constant__ ColumnIdsJob job) {
   extern __shared__ std::uint32_t counts[];
   State* const state = job.state;
-  if (job.may_leave && state->mode != coherence::FrameMode::search) return;
+  if (job.may_leave && state->mode != FrameMode::search) return;
   digit_histograms::open<kPasses>(job.digits, job.sphere_count, counts);
   const Met met = put_ids<kPasses>(job, counts);
   if (met.violations != 0) atomicOr(&state->violations, met.violations);

@@ -129,12 +129,12 @@ def test_what_cannot_be_forced_is_refused(
 def test_what_a_backend_does_not_have_is_said(octocell: Octocell, refused: Refused) -> None:
     thrust = ("chain:n=9000", "--backend", "impl_thrust", "--force", "phantoms")
     answer = explained(octocell, *thrust)
-    passes = next(d for d in answer["decisions"] if d["skip"] == "passes")
-    assert not passes["taken"] and "does not have it" in passes["fact"]
+    bits = next(d for d in answer["decisions"] if d["skip"] == "key_bits")
+    assert not bits["taken"] and "does not have it" in bits["fact"]
     assert "sort" in taken(answer)
     for command in ("find", "explain"):
-        line = refused(command, *thrust, "--force", "passes")
-        assert "passes cannot be forced" in line and "does not have it" in line
+        line = refused(command, *thrust, "--force", "key_bits")
+        assert "key_bits cannot be forced" in line and "does not have it" in line
 
 
 def test_forced_and_forbidden_is_refused(refused: Refused) -> None:

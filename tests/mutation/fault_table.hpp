@@ -45,7 +45,6 @@
   fault(order_unchecked_between_blocks, "ids sorted within blocks count as sorted") \
   fault(sort_last_digit_skipped, "the highest digit is not sorted by") \
   fault(sort_unstable, "the parts of the input change places") \
-  fault(sort_skips_mixed_digit, "a digit that all keys but one share is not sorted by") \
   fault(index_last_cell_missing, "the last cell is not listed") \
   fault(index_row_lost_between_blocks, "a row that begins with a block is not listed") \
   fault(index_blocks_left_over, "blocks count that only an earlier frame had spheres for") \

@@ -262,18 +262,6 @@ TEST(HalfShellSkips, IdsInOrderWithinBlocksAloneAreSorted) {
   EXPECT_EQ(found, exact_digest(scene.view()));
 }
 
-TEST(HalfShellSkips, DigitsThatAllIdsShareAreNotSortedBy) {
-  PairDigest found;
-  const Skips wide = Skips::all().without(Skip::key_bits).without(Skip::sort);
-  const Scene scene = generate("gas:n=5000");
-  const auto used = [&](Skips allowed) {
-    return find_in(scene.view(), {.method = Method::half_shell, .allowed = allowed}, found)
-        .counts.used;
-  };
-  EXPECT_TRUE(used(wide).has(Skip::passes));
-  EXPECT_FALSE(used(wide.without(Skip::passes)).has(Skip::passes));
-}
-
 TEST(RowCursor, FindsWhatALinearSearchFinds) {
   using half_shell::RowCursor;
   std::mt19937 random(7);

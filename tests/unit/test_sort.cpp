@@ -65,7 +65,7 @@ TEST(RadixSort, EqualsAStableSort) {
         Items front = make_items(count, bits, Order::random);
         const Items expected = stable_sorted(front);
         Items back = {std::vector<std::uint32_t>(count), std::vector<std::uint32_t>(count)};
-        const int where = radix_sort(front.spans(), back.spans(), bits, true, pool).side;
+        const int where = radix_sort(front.spans(), back.spans(), bits, pool);
         ASSERT_EQ(where == 0 ? front : back, expected) << count << " keys of " << bits << " bits";
       }
     }
@@ -78,7 +78,7 @@ TEST(RadixSort, AnyOrderOfTheInputWillDo) {
     Items front = make_items(50001, 20, order);
     const Items expected = stable_sorted(front);
     Items back = {std::vector<std::uint32_t>(50001), std::vector<std::uint32_t>(50001)};
-    const int where = radix_sort(front.spans(), back.spans(), 20, true, pool).side;
+    const int where = radix_sort(front.spans(), back.spans(), 20, pool);
     EXPECT_EQ(where == 0 ? front : back, expected) << static_cast<int>(order);
   }
 }
@@ -90,7 +90,7 @@ TEST(RadixSort, TakesAsManyPassesAsThePlannerExpects) {
   for (int bits = 0; bits <= 32; ++bits) {
     Items front = make_items(10000, bits, Order::random);
     Items back = {std::vector<std::uint32_t>(10000), std::vector<std::uint32_t>(10000)};
-    const int side = radix_sort(front.spans(), back.spans(), bits, false, pool).side;
+    const int side = radix_sort(front.spans(), back.spans(), bits, pool);
     EXPECT_EQ(side, sort_passes(bits, Costs{}.digit_bits) % 2) << bits << " bits";
   }
 }

@@ -20,8 +20,7 @@ class OurRadixSort final : public Sorter {
  public:
   explicit OurRadixSort(int threads) : threads_(threads) {}
   const PairArrays& sort(Workspace& work, int bits) override {
-    const int where =
-        cpu::radix_sort(spans_of(work.front), spans_of(work.back), bits, false, threads_).side;
+    const int where = cpu::radix_sort(spans_of(work.front), spans_of(work.back), bits, threads_);
     return where == 0 ? work.front : work.back;
   }
 
