@@ -9,7 +9,6 @@
 
 #include <cstdint>
 
-#include "core/faults.hpp"
 #include "core/grid.hpp"
 
 namespace octocell::chapter32 {
@@ -18,9 +17,7 @@ inline constexpr float kScale = 0x1.6a09eap0F;  // the second float above sqrt 2
                                                 // * r) >= sqrt 2 * r over the reals (subnormal r:
                                                 // docs/exactness.md, claim C)
 
-OCTOCELL_HD float extent(float r) {
-  return r * OCTOCELL_FAULT(chapter32_extent_rounded_down, 0x1.6a09e6p0F, kScale);
-}
+OCTOCELL_HD float extent(float r) { return r * kScale; }
 
 /// Returns 3 sqrt 2 r_max, rounded up.
 inline double cell_side(float r_max) { return 4.2426406871192861 * static_cast<double>(r_max); }
@@ -60,8 +57,7 @@ OCTOCELL_HD bool tests_pair_here(std::uint32_t type, ControlBits a, ControlBits 
   const std::uint32_t home_a = a & 7U;
   const std::uint32_t home_b = b & 7U;
   const bool earlier_a = home_a < type && (met_by_both >> home_a & 1U) != 0;
-  const bool earlier_b = OCTOCELL_FAULT(chapter32_counts_twice, false,
-                                        home_b < type && (met_by_both >> home_b & 1U) != 0);
+  const bool earlier_b = home_b < type && (met_by_both >> home_b & 1U) != 0;
   return !earlier_a && !earlier_b;
 }
 

@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "core/faults.hpp"
 #include "core/host_device.hpp"
 #include "core/sphere.hpp"
 
@@ -22,7 +21,7 @@ OCTOCELL_HD std::uint32_t mask_of(Flags f) { return f.word >> 16; }
 /// Bullet's collision filter (btOverlappingPairCache::needsBroadphaseCollision).
 OCTOCELL_HD bool may_collide(Flags a, Flags b) {
   return !(is_static(a) && is_static(b)) && (group_of(a) & mask_of(b)) != 0 &&
-         OCTOCELL_FAULT(flags_one_way, true, (group_of(b) & mask_of(a)) != 0);
+         (group_of(b) & mask_of(a)) != 0;
 }
 
 inline std::uint64_t count_static(std::span<const Flags> flags) {
@@ -53,8 +52,7 @@ inline bool some_may_collide(std::span<const Flags> flags) {
     moving_groups |= group_of(f) & if_moving;
     moving_masks |= mask_of(f) & if_moving;
   }
-  return (moving_groups & OCTOCELL_FAULT(flags_search_given_up, moving_masks, masks)) != 0 &&
-         (moving_masks & groups) != 0;
+  return (moving_groups & masks) != 0 && (moving_masks & groups) != 0;
 }
 
 }  // namespace octocell

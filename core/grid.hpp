@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/faults.hpp"
 #include "core/host_device.hpp"
 #include "core/sphere.hpp"
 
@@ -64,21 +63,16 @@ struct Grid {
 /// NaN.
 OCTOCELL_HD std::uint32_t cell_coordinate(const Grid& grid, int axis, float value) {
   // Both terms are integers; inside the box their difference is below 2^30, hence exact.
-  double unit =
-      static_cast<double>(OCTOCELL_FAULT(grid_truncates, truncf(value * grid.units_per_length),
-                                         floorf(value * grid.units_per_length))) -
-      grid.first_unit[axis];
+  double unit = static_cast<double>(floorf(value * grid.units_per_length)) - grid.first_unit[axis];
   unit = unit < 0.0 ? 0.0 : unit;
-  unit = OCTOCELL_FAULT(grid_no_upper_clamp, unit,
-                        unit > grid.last_unit[axis] ? grid.last_unit[axis] : unit);
+  unit = unit > grid.last_unit[axis] ? grid.last_unit[axis] : unit;
   const auto whole = static_cast<std::uint64_t>(static_cast<std::int32_t>(unit));
   const CellWidth& width = grid.width[axis];
   return static_cast<std::uint32_t>((whole * width.reciprocal) >> width.reciprocal_bits);
 }
 
 OCTOCELL_HD std::uint32_t cell_id(const Grid& grid, Cell cell) {
-  return (cell.x & OCTOCELL_FAULT(grid_id_not_wrapped, ~0U, grid.wrap_mask[0])) +
-         grid.stride_y * (cell.y & grid.wrap_mask[1]) +
+  return (cell.x & grid.wrap_mask[0]) + grid.stride_y * (cell.y & grid.wrap_mask[1]) +
          grid.stride_z * (cell.z & grid.wrap_mask[2]);
 }
 

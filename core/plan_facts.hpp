@@ -4,7 +4,6 @@
 
 #include <cstdint>
 
-#include "core/faults.hpp"
 #include "core/host_device.hpp"
 #include "core/lattice.hpp"
 #include "core/plan.hpp"
@@ -34,8 +33,7 @@ OCTOCELL_HD std::uint32_t violation_of(const Sphere& s, const PlanFacts& facts) 
 /// Returns true if the facts of all spheres together are at least as strong as those of a plan. All
 /// spheres are valid. Does not look at the lattice.
 inline bool are_within(const PlanFacts& seen, const PlanFacts& planned) {
-  bool inside = seen.sphere_count == planned.sphere_count &&
-                OCTOCELL_FAULT(bounds_radius_unchecked, true, seen.r_max <= planned.r_max);
+  bool inside = seen.sphere_count == planned.sphere_count && seen.r_max <= planned.r_max;
   for (int a = 0; a < 3; ++a) {
     inside = inside && seen.lowest[a] >= planned.lowest[a] && seen.highest[a] <= planned.highest[a];
   }

@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <cstring>
 
-#include "core/faults.hpp"
 #include "core/host_device.hpp"
 #include "core/sphere.hpp"
 
@@ -38,10 +37,9 @@ inline constexpr float kFloatMax = 0x1.fffffep127F;
 /// Returns the radius as level 1 uses it; called once per sphere.
 template <Filter filter>
 OCTOCELL_HD float filter_radius(float r) {
-  const float grown = r * OCTOCELL_FAULT(filter_growth_too_small, 0x1.000004p0F, kRadiusGrowth);
+  const float grown = r * kRadiusGrowth;
   if constexpr (filter == Filter::fast) return grown;
-  return OCTOCELL_FAULT(filter_no_radius_floor, grown,
-                        grown < kSafeRadiusFloor ? kSafeRadiusFloor : grown);
+  return grown < kSafeRadiusFloor ? kSafeRadiusFloor : grown;
 }
 
 /// Returns D, the squared distance in float32. The proofs hold for any order of the sums, with or
@@ -57,15 +55,14 @@ OCTOCELL_HD float filter_distance2(const Sphere& a, const Sphere& b) {
 /// radii.
 OCTOCELL_HD bool filter_may_overlap(const Sphere& a, const Sphere& b) {
   const float radius_sum = a.r + b.r;
-  return OCTOCELL_FAULT(filter_touching_apart, filter_distance2(a, b) < radius_sum * radius_sum,
-                        !(filter_distance2(a, b) > radius_sum * radius_sum));
+  return !(filter_distance2(a, b) > radius_sum * radius_sum);
 }
 
 /// Returns the bound below which D proves "overlap", for `radius_sum2` = H.
 template <Filter filter>
 OCTOCELL_HD float filter_sure_below(float radius_sum2) {
   const float finite = filter == Filter::fast || radius_sum2 < kFloatMax ? radius_sum2 : kFloatMax;
-  return finite * OCTOCELL_FAULT(filter_sure_fraction_too_large, 0x1.ffffd4p-1F, kSureFraction);
+  return finite * kSureFraction;
 }
 
 /// Returns true if a pair that may overlap certainly does. `a.r` and `b.r` are filter radii.
@@ -75,7 +72,7 @@ OCTOCELL_HD bool filter_is_sure(const Sphere& a, const Sphere& b) {
   const float radius_sum2 = radius_sum * radius_sum;
   const bool sure = filter_distance2(a, b) < filter_sure_below<filter>(radius_sum2);
   if constexpr (filter == Filter::fast) return sure;
-  return OCTOCELL_FAULT(filter_no_sure_floor, true, radius_sum2 >= kSafeSureFloor) && sure;
+  return radius_sum2 >= kSafeSureFloor && sure;
 }
 
 /// Runs all of level 1 for two spheres with their original radii.
@@ -104,8 +101,7 @@ template <typename Real>
 OCTOCELL_HD Sum<Real> two_sum(Real a, Real b) {
   const Real sum = a + b;
   const Real b_part = sum - a;
-  return {sum,
-          OCTOCELL_FAULT(two_sum_error_dropped, Real(0.0), (a - (sum - b_part)) + (b - b_part))};
+  return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 template <typename Real>
 OCTOCELL_HD Real square_error(Real a, Real square) {
@@ -117,7 +113,7 @@ OCTOCELL_HD Real square_error(Real a, Real square) {
 /// factor of ten leaves room for second-order terms.
 template <typename Real>
 OCTOCELL_HD Real float64_bound(Real radius_sum2) {
-  return OCTOCELL_FAULT(float64_bound_too_small, 1.0, 10.0) * 0x1p-53 * radius_sum2;
+  return 10.0 * 0x1p-53 * radius_sum2;
 }
 
 /// Level 2 for two spheres; or for several pairs at once, with a vector of float64 as `Real`.
@@ -160,9 +156,7 @@ OCTOCELL_HD Verdict float64_test(const Sphere& a, const Sphere& b) {
   if (test.excess > test.bound) return Verdict::apart;
   if (test.excess < -test.bound) return Verdict::overlap;
   if (test.rounding != 0.0) return Verdict::uncertain;
-  return OCTOCELL_FAULT(float64_touching_apart, test.excess < 0.0, test.excess <= 0.0)
-             ? Verdict::overlap
-             : Verdict::apart;
+  return test.excess <= 0.0 ? Verdict::overlap : Verdict::apart;
 }
 
 /// Level 3: little-endian integers of `kLimbs` 32-bit limbs, in units of 2^-149.
@@ -180,9 +174,7 @@ OCTOCELL_HD Fixed fixed_magnitude(float value) {
   std::uint32_t bits;
   memcpy(&bits, &value, sizeof bits);
   const std::uint32_t exponent = (bits >> 23) & 0xffU;
-  const std::uint64_t significand =
-      (bits & 0x7fffffU) |
-      (OCTOCELL_FAULT(subnormal_as_normal, false, exponent == 0) ? 0U : 1U << 23);
+  const std::uint64_t significand = (bits & 0x7fffffU) | (exponent == 0 ? 0U : 1U << 23);
   const std::uint32_t shift = exponent == 0 ? 0 : exponent - 1;
   Fixed fixed = {};
   const std::uint64_t spread = significand << (shift % 32);
@@ -197,7 +189,7 @@ OCTOCELL_HD Fixed add(const Fixed& a, const Fixed& b) {
   for (int i = 0; i < kLimbs; ++i) {
     carry += std::uint64_t{a.limb[i]} + b.limb[i];
     sum.limb[i] = static_cast<std::uint32_t>(carry);
-    carry = OCTOCELL_FAULT(integer_add_carry_dropped, std::uint64_t{0}, carry >> 32);
+    carry >>= 32;
   }
   return sum;
 }
@@ -239,8 +231,7 @@ OCTOCELL_HD void add_square(Square& sum, const Fixed& a) {
       sum.limb[i + j] = static_cast<std::uint32_t>(carry);
       carry >>= 32;
     }
-    for (int k = i + kLimbs;
-         OCTOCELL_FAULT(integer_square_carry_dropped, false, carry != 0) && k < 2 * kLimbs; ++k) {
+    for (int k = i + kLimbs; carry != 0 && k < 2 * kLimbs; ++k) {
       carry += sum.limb[k];
       sum.limb[k] = static_cast<std::uint32_t>(carry);
       carry >>= 32;
@@ -267,7 +258,7 @@ OCTOCELL_HD bool integer_test(const Sphere& a, const Sphere& b) {
   for (int i = 2 * kLimbs - 1; i >= 0; --i) {
     if (distance2.limb[i] != radius_sum2.limb[i]) return distance2.limb[i] < radius_sum2.limb[i];
   }
-  return OCTOCELL_FAULT(integer_touching_apart, false, true);  // tangent spheres overlap
+  return true;  // tangent spheres overlap
 }
 
 }  // namespace exact

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "impl_cpu/backend.hpp"
-#include "core/faults.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -35,8 +34,8 @@ class CpuBackend final : public GridPairFinder {
     if (scene.spheres.size() > room_) return upload(w_.plan, scene);
     if (!std::ranges::equal(flags_, scene.flags)) {
       flags_.assign(scene.flags.begin(), scene.flags.end());
-      OCTOCELL_FAULT(frame_keeps_flags, void(), coherence_.forget());  // Coherence compares only
-                                                                       // spheres
+      coherence_.forget();  // Coherence compares only
+                            // spheres
     }
     w_.scene = scene;
   }

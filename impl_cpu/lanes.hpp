@@ -10,7 +10,6 @@
 #include <immintrin.h>
 #endif
 
-#include "core/faults.hpp"
 #include "core/pair_test.hpp"
 #include "core/simd.hpp"
 
@@ -46,9 +45,7 @@ LaneBits bits_of(const Mask& mask) {
 }
 /// Returns the bits of the first `count` lanes; of all kMostLanes if `count` is more.
 inline LaneBits first_bits(std::uint32_t count) {
-  return static_cast<LaneBits>(
-      (1U << std::min(count, OCTOCELL_FAULT(shell_last_lane_missing, kMostLanes - 1, kMostLanes))) -
-      1U);
+  return static_cast<LaneBits>((1U << std::min(count, kMostLanes)) - 1U);
 }
 /// Calls visit(lane) for each lane whose bit is set.
 template <typename Visit>
@@ -118,9 +115,7 @@ class Lanes {  // the tests of |p - q|^2 <= (r_p + r_q)^2: the filters, f32, and
   [[nodiscard, gnu::always_inline]] LaneBits may_overlap(const Fields<float>& ones,
                                                          std::uint64_t k) const {
     const V radius_sum = lanes_.r + static_cast<Number>(ones.r[k]);
-    return OCTOCELL_FAULT(lanes_touching_apart,
-                          bits_of(distance2(lanes_, ones, k) < radius_sum * radius_sum),
-                          bits_of(distance2(lanes_, ones, k) <= radius_sum * radius_sum));
+    return bits_of(distance2(lanes_, ones, k) <= radius_sum * radius_sum);
   }
 
  private:

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <span>
 
-#include "core/faults.hpp"
 #include "core/pair.hpp"
 #include "impl_cpu/shared_list.hpp"
 
@@ -31,8 +30,7 @@ class PairList {
 
   [[nodiscard]] std::uint64_t size() const {
     if (!count_only_) return stored_.size();
-    const std::uint64_t count = count_.load(std::memory_order_relaxed);
-    return OCTOCELL_FAULT(list_counts_31_bits, count & 0x7fffffffU, count);
+    return count_.load(std::memory_order_relaxed);
   }
   [[nodiscard]] std::span<const Pair> items() const { return stored_.items(); }
   /// Returns the stored pairs so that the caller can remove some; cut() then sets how many remain.

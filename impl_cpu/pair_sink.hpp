@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <span>
 
-#include "core/faults.hpp"
 #include "core/flags.hpp"
 #include "impl_cpu/stages.hpp"
 
@@ -19,7 +18,7 @@ class UncertainSink {
   void append(std::span<const Pair> uncertain_pairs) {
     if (!w_.plan.count_only) return w_.uncertain_pairs.append(uncertain_pairs);
     w_.uncertain_pairs.count(uncertain_pairs.size());
-    OCTOCELL_FAULT(uncertain_pairs_uncounted, void(), resolve_block(w_, uncertain_pairs));
+    resolve_block(w_, uncertain_pairs);
   }
 
  private:
@@ -40,9 +39,7 @@ class PairSink {
   /// Takes two spheres that may overlap, with stored radii.
   template <PairTest test>
   void take(const Sphere& a, std::uint32_t id_a, const Sphere& b, std::uint32_t id_b) {
-    if (OCTOCELL_FAULT(flags_unasked_in_sink, false,
-                       !flags_.empty() && !may_collide(flags_[id_a], flags_[id_b])))
-      return;
+    if (!flags_.empty() && !may_collide(flags_[id_a], flags_[id_b])) return;
     const Pair pair = make_pair_of(id_a, id_b);
     const Verdict verdict = verdict_on<test>(a, b, packing_);
     if (verdict == Verdict::overlap) sure_.push(pair);

@@ -3,7 +3,6 @@
 // each digit occurs in each part, sum the counts, and reorder.
 #include "impl_cpu/radix_sort.hpp"
 #include "core/digit_plan.hpp"
-#include "core/faults.hpp"
 #include "impl_cpu/block_size.hpp"
 
 #include <algorithm>
@@ -46,7 +45,7 @@ void prefix_sum(Counters& counters, int parts) {
   std::uint32_t position = 0;
   for (std::size_t d = 0; d < kDigits; ++d) {
     for (int p = 0; p < parts; ++p) {
-      std::uint32_t& counter = counters[OCTOCELL_FAULT(sort_unstable, parts - 1 - p, p)][d];
+      std::uint32_t& counter = counters[p][d];
       const std::uint32_t count = counter;
       counter = position;
       position += count;
@@ -77,9 +76,7 @@ int radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, Threads& t
   };
   const DigitPlan plan = digit_plan(key_bits, kWidestDigit);
   int side = 0;
-  for (int pass = 0;
-       OCTOCELL_FAULT(sort_last_digit_skipped, pass + 1 < plan.passes, pass < plan.passes);
-       ++pass) {
+  for (int pass = 0; pass < plan.passes; ++pass) {
     const Digit digit = plan.digits[pass];
     const KeysAndValues& from = side == 0 ? front : back;
     const KeysAndValues& to = side == 0 ? back : front;

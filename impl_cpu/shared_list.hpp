@@ -11,7 +11,6 @@
 #include <span>
 
 #include "core/buffer.hpp"
-#include "core/faults.hpp"
 #include "impl_cpu/block_size.hpp"
 
 namespace octocell::cpu {
@@ -25,9 +24,7 @@ class SharedList {
 
   void append(std::span<const T> items) {
     const std::uint64_t at = size_.fetch_add(items.size(), std::memory_order_relaxed);
-    if (OCTOCELL_FAULT(list_one_short_of_full, at + items.size() >= items_.capacity(),
-                       at + items.size() > items_.capacity()))
-      return;
+    if (at + items.size() > items_.capacity()) return;
     std::copy(items.begin(), items.end(), items_.data() + at);
   }
 
@@ -35,11 +32,7 @@ class SharedList {
   void count(std::uint64_t items) { size_.fetch_add(items, std::memory_order_relaxed); }
 
   /// Returns how many items were appended, including those that were not stored.
-  [[nodiscard]] std::uint64_t size() const {
-    return OCTOCELL_FAULT(list_clips_at_capacity,
-                          std::min(size_.load(std::memory_order_relaxed), items_.capacity()),
-                          size_.load(std::memory_order_relaxed));
-  }
+  [[nodiscard]] std::uint64_t size() const { return size_.load(std::memory_order_relaxed); }
   [[nodiscard]] bool complete() const { return size() <= items_.capacity(); }
   [[nodiscard]] std::span<T> items() const {
     return {items_.data(), complete() ? size() : std::uint64_t{0}};
@@ -60,7 +53,7 @@ class ListWriter {
   explicit ListWriter(Sink& sink) : sink_(sink) {}
   ListWriter(const ListWriter&) = delete;
   ListWriter& operator=(const ListWriter&) = delete;
-  ~ListWriter() { OCTOCELL_FAULT(list_last_block_lost, void(), flush()); }
+  ~ListWriter() { flush(); }
 
   void push(const T& item) {
     if (size_ == kBlock) flush();

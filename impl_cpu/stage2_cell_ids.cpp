@@ -11,7 +11,6 @@
 #include <span>
 
 #include "core/as_written.hpp"
-#include "core/faults.hpp"
 #include "core/grid.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
@@ -77,8 +76,7 @@ struct Batch {
         const float p = a == 0 ? s.x : a == 1 ? s.y : s.z;
         const float extent = extent_of(s.r);
         lowest[a][i] = cell_coordinate(grid, a, p - extent);
-        highest[a][i] =
-            cell_coordinate(grid, a, p + OCTOCELL_FAULT(cells_without_p_plus_r, 0.0F, extent));
+        highest[a][i] = cell_coordinate(grid, a, p + extent);
         home[a][i] = cell_coordinate(grid, a, p);
       }
     }
@@ -107,8 +105,7 @@ void list_corners(const Grid& grid, std::uint32_t sphere, const CellRange& range
   const std::uint32_t home_corner =
       (home.x - low.x) | (home.y - low.y) << 1 | (home.z - low.z) << 2;
   phantoms.make_room();
-  for (std::uint32_t corner = 0; corner < OCTOCELL_FAULT(cells_without_last_corner, 7U, 8U);
-       ++corner) {
+  for (std::uint32_t corner = 0; corner < 8U; ++corner) {
     const bool listed = (corner & ~wide) == 0 && corner != home_corner;
     phantoms.put_if(listed, x[corner & 1U] + y[corner >> 1 & 1U] + z[corner >> 2],
                     sphere | (~corner & 7U) << kLowestShift | kPhantom);
@@ -121,8 +118,7 @@ void list_range(const Grid& grid, std::uint32_t sphere, const CellRange& range, 
   const auto [low, high] = range;
   for (std::uint32_t z = low.z; z <= high.z; ++z) {
     for (std::uint32_t y = low.y; y <= high.y; ++y) {
-      for (std::uint32_t x = low.x;
-           OCTOCELL_FAULT(cells_last_column_missing, x < high.x, x <= high.x); ++x) {
+      for (std::uint32_t x = low.x; x <= high.x; ++x) {
         if (x == home.x && y == home.y && z == home.z) continue;
         const Cell cell = {x, y, z};
         phantoms.put(cell_id(grid, cell), object_of(sphere, cell, low) | kPhantom);

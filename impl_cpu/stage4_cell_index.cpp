@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cstdint>
 
-#include "core/faults.hpp"
 #include "core/pair_rule.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
@@ -54,9 +53,7 @@ void cell_index(Workspace& w) {
     while (i < end) {
       const CellEntry cell = sorted.cell_at(i);
       const std::uint64_t here = candidates_in_cell(w.plan.rule, cell.homes, cell.phantoms);
-      if (OCTOCELL_FAULT(index_last_cell_missing,
-                         here != 0 && i + cell.homes + cell.phantoms < w.id_count, here != 0))
-        cells.push(cell);
+      if (here != 0) cells.push(cell);
       seen += here;
       i += cell.homes + cell.phantoms;
     }

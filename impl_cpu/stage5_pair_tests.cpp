@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <span>
 
-#include "core/faults.hpp"
 #include "core/pair_rule.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
@@ -32,9 +31,7 @@ struct EveryPair {
 
 struct LowestCell {
   static constexpr bool rows_are_homes = false;
-  [[nodiscard]] bool counts_here(Object a, Object b) const {
-    return OCTOCELL_FAULT(lowest_cell_rule_dropped, true, is_lowest_of_both(a, b));
-  }
+  [[nodiscard]] bool counts_here(Object a, Object b) const { return is_lowest_of_both(a, b); }
 };
 
 struct Chapter32 {
@@ -81,8 +78,7 @@ class PairTester {
 
   /// Tests the first `rows` spheres of the tile against all that follow them.
   void test_within(const Tile<test>& tile, std::size_t rows) {
-    for (std::size_t i = 0; i < rows; ++i)
-      test_row(tile, i, tile, OCTOCELL_FAULT(tile_pairs_with_self, i, i + 1));
+    for (std::size_t i = 0; i < rows; ++i) test_row(tile, i, tile, i + 1);
   }
 
   void test_between(const Tile<test>& a, std::size_t rows, const Tile<test>& b) {
@@ -123,9 +119,7 @@ void test_tiles(Workspace& w, RuleTest rule, std::uint64_t rows, std::uint64_t c
     load(tester, a, begin, std::min<std::uint64_t>(kTileSpheres, count - begin));
     const std::size_t rows_here = std::min<std::uint64_t>(a.size, rows - begin);
     tester.test_within(a, rows_here);
-    for (std::uint64_t next = begin + kTileSpheres;
-         OCTOCELL_FAULT(tile_last_missing, next + kTileSpheres < count, next < count);
-         next += kTileSpheres) {
+    for (std::uint64_t next = begin + kTileSpheres; next < count; next += kTileSpheres) {
       load(tester, b, next, std::min<std::uint64_t>(kTileSpheres, count - next));
       tester.test_between(a, rows_here, b);
     }

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <span>
 
-#include "core/faults.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/lanes.hpp"
 #include "impl_cpu/stages.hpp"
@@ -47,8 +46,7 @@ Verdicts float64_verdicts(const Abreast& a, const Abreast& b) {
                                        reals(b.y), reals(b.z), reals(b.r));
   const auto certain = bits_of(abs(test.excess) > test.bound);
   const auto exact = bits_of(test.rounding == 0.0);
-  return {.overlap = OCTOCELL_FAULT(uncertain_pairs_taken_as_pairs, LaneBits{0xff},
-                                    bits_of(test.excess <= 0.0)),
+  return {.overlap = bits_of(test.excess <= 0.0),
           .uncertain = static_cast<LaneBits>(~(certain | exact))};
 }
 
@@ -86,13 +84,10 @@ void resolve(Workspace& w) {
   constexpr std::uint64_t kUncertainPerBlock = block_size(4096, 8);
   if (w.plan.count_only) return;  // stage 5 has resolved them block by block
   const std::span<const Pair> uncertain_pairs = w.uncertain_pairs.items();
-  w.threads->for_blocks(
-      OCTOCELL_FAULT(uncertain_pairs_after_first_block_lost,
-                     std::min<std::uint64_t>(uncertain_pairs.size(), kUncertainPerBlock),
-                     uncertain_pairs.size()),
-      kUncertainPerBlock, [&](std::uint64_t begin, std::uint64_t end) {
-        resolve_block(w, uncertain_pairs.subspan(begin, end - begin));
-      });
+  w.threads->for_blocks(uncertain_pairs.size(), kUncertainPerBlock,
+                        [&](std::uint64_t begin, std::uint64_t end) {
+                          resolve_block(w, uncertain_pairs.subspan(begin, end - begin));
+                        });
 }
 
 }  // namespace octocell::cpu

@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/faults.hpp"
 #include "core/flags.hpp"
 #include "core/planner/scene_stats.hpp"
 #include "impl_cuda_custom/coherence/coherence.cuh"
@@ -175,15 +174,15 @@ class CudaBackend final : public GridPairFinder {
     return left;
   }
   [[nodiscard]] bool bounds_with_cell_ids() const override { return w_.half_shell(); }
-  /// Returns the stages that should have been queued. The host reads them while the device continues
-  /// with the queued work.
+  /// Returns the stages that should have been queued. The host reads them while the device
+  /// continues with the queued work.
   Stages missed_stages() override {
     if (!w_.mode) return {};
     opened_.wait();
     const FrameMode queued = *w_.mode;
     w_.mode = *w_.mode_taken.data();
-    const bool was_right = OCTOCELL_FAULT(cuda_prediction_kept, true, *w_.mode == queued);
-    return was_right ? Stages() : stages_after_bounds(w_.plan, *w_.mode);
+    if (*w_.mode == queued) return {};
+    return stages_after_bounds(w_.plan, *w_.mode);
   }
 
  private:

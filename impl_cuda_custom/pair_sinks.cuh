@@ -4,7 +4,6 @@
 
 #include <cstdint>
 
-#include "core/faults.hpp"
 #include "core/flags.hpp"
 #include "impl_cuda_custom/exact.cuh"
 #include "impl_cuda_custom/pair_writer.cuh"
@@ -30,8 +29,7 @@ inline SinkArguments sink_arguments_of(Workspace& w) {
   State* const state = w.state.data();
   return {.pairs = {w.pairs.data(), w.plan.capacity.pairs, &state->pairs},
           .uncertain_pairs = {w.uncertain_pairs.data(), w.plan.capacity.uncertain_pairs,
-                              OCTOCELL_FAULT(cuda_uncertain_pairs_in_pairs_counter, &state->pairs,
-                                             &state->uncertain_pairs)},
+                              &state->uncertain_pairs},
           .spheres = w.spheres.data(),
           .flags = w.flags_or_none(),
           .state = state};

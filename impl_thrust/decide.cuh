@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/faults.hpp"
 #include "core/pair.hpp"
 #include "core/predicate.hpp"
 
@@ -15,10 +14,7 @@ __attribute__((noinline)) OCTOCELL_HD bool overlap(const Sphere& a, const Sphere
 /// Decides an uncertain pair.
 struct Overlaps {
   const Sphere* spheres;
-  OCTOCELL_HD bool operator()(Pair pair) const {
-    return OCTOCELL_FAULT(thrust_uncertain_pairs_taken_as_pairs, true,
-                          overlap(spheres[pair.i], spheres[pair.j]));
-  }
+  OCTOCELL_HD bool operator()(Pair pair) const { return overlap(spheres[pair.i], spheres[pair.j]); }
 };
 
 }  // namespace octocell::on_thrust

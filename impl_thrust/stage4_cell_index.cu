@@ -15,7 +15,6 @@
 
 #include <cstdint>
 
-#include "core/faults.hpp"
 #include "core/pair_rule.hpp"
 #include "impl_thrust/half_shell/half_shell.cuh"
 
@@ -37,10 +36,8 @@ struct CellAt {
 
   OCTOCELL_HD CellEntry operator()(std::uint64_t c) const {
     const std::uint32_t begin = begins[c];
-    const std::uint32_t end = c + 1 < cell_count
-                                  ? begins[c + 1]
-                                  : static_cast<std::uint32_t>(OCTOCELL_FAULT(
-                                        thrust_last_cell_short, id_count - 1, id_count));
+    const std::uint32_t end =
+        c + 1 < cell_count ? begins[c + 1] : static_cast<std::uint32_t>(id_count);
     std::uint32_t low = begin;  // homes are below it
     std::uint32_t high = end;   // phantoms from here on
     while (low < high) {

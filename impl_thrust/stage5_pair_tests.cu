@@ -9,7 +9,6 @@
 
 #include <cstdint>
 
-#include "core/faults.hpp"
 #include "core/flags.hpp"
 #include "core/pair_rule.hpp"
 #include "impl_thrust/found_pairs.cuh"
@@ -56,9 +55,7 @@ RowTest gather_rows(Workspace<System>& w) {
   const std::uint64_t entries = w.entries();
   if (w.brute_force()) thrust::sequence(w.system.policy(), objects, objects + entries);
   gather_members(w);
-  const bool every_pair = OCTOCELL_FAULT(thrust_lowest_cell_rule_dropped,
-                                         w.plan.rule == Rule::lowest_cell, w.brute_force());
-  const PairRule rule = {every_pair, w.plan.rule, w.control_bits.data(),
+  const PairRule rule = {w.brute_force(), w.plan.rule, w.control_bits.data(),
                          as_written::cell_side(w.plan.facts.r_max)};
   return {
       w.members.data(), objects, w.brute_force() ? nullptr : w.cell_end.data(), entries, w.flags,

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/faults.hpp"
 #include "core/planner/choose_test.hpp"
 
 namespace octocell {
@@ -19,8 +18,7 @@ PairTest exact_test(const SceneStats& stats, const PlanOptions& options) {
   }
   if (!allowed.has(Skip::safe_filter)) return PairTest::filter_safe;
   if (facts.r_max == 0.0F) return PairTest::filter_fast;
-  if (OCTOCELL_FAULT(fast_filter_for_tiny_radii, false, facts.r_min_nonzero < kFastRadiusMin) ||
-      facts.r_max > kFastRadiusMax) {
+  if (facts.r_min_nonzero < kFastRadiusMin || facts.r_max > kFastRadiusMax) {
     return PairTest::filter_safe;
   }
   const bool equal = facts.r_min == facts.r_max && allowed.has(Skip::equal_radii);

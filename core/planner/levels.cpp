@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "core/digit_plan.hpp"
-#include "core/faults.hpp"
 #include "core/planner/bulk.hpp"
 #include "core/planner/crowding.hpp"
 #include "core/planner/planner.hpp"
@@ -258,8 +257,7 @@ double share_of_caches(std::uint64_t spheres, double in_cache) {
 int key_bits_of(const Levels& levels) {
   if (levels.count == 0) return 0;
   const Level& last = levels.level[levels.count - 1];
-  return static_cast<int>(std::bit_width(OCTOCELL_FAULT(
-      key_bits_one_short, (last.first_id + last.ids - 1) / 2, last.first_id + last.ids - 1)));
+  return static_cast<int>(std::bit_width(last.first_id + last.ids - 1));
 }
 
 double estimate_cost(const SceneStats& stats, const Levels& levels, int key_bits,

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/faults.hpp"
 #include "core/planner/planner.hpp"
 
 namespace octocell {
@@ -61,8 +60,7 @@ void number_cells(Grid& grid, int most_bits) {
 bool periods_have(const Grid& grid, const double (&cells)[3]) {
   for (int a = 0; a < 3; ++a) {
     const std::uint32_t mask = grid.wrap_mask[a];
-    if (mask != ~0U && cells[a] > static_cast<double>(mask) + 1.0)
-      return OCTOCELL_FAULT(grid_period_too_short, true, false);
+    if (mask != ~0U && cells[a] > static_cast<double>(mask) + 1.0) return false;
   }
   return true;
 }
@@ -71,9 +69,7 @@ CellWidth width_of(std::uint32_t units) {
   CellWidth width;
   width.units = units;
   width.reciprocal_bits = kReciprocalBits + static_cast<int>(std::bit_width(units - 1));
-  width.reciprocal = ((std::uint64_t{1} << width.reciprocal_bits) +
-                      OCTOCELL_FAULT(grid_reciprocal_rounded_down, 0U, units - 1)) /
-                     units;
+  width.reciprocal = ((std::uint64_t{1} << width.reciprocal_bits) + units - 1) / units;
   return width;
 }
 
@@ -85,9 +81,7 @@ Grid grid_with_unit(const PlanFacts& facts, int k, double cell_side, std::uint32
   grid.units_per_length = std::ldexp(1.0F, -k);
   // cell_side / unit is exact: unit is a power of two.
   const auto units = static_cast<std::uint32_t>(
-      std::clamp(OCTOCELL_FAULT(grid_cell_rounded_down, std::floor(cell_side / unit),
-                                std::ceil(cell_side / unit)),
-                 1.0, double{kMaxUnitsPerCell}));
+      std::clamp(std::ceil(cell_side / unit), 1.0, double{kMaxUnitsPerCell}));
   grid.width[0] = width_of((units + columns - 1) / columns);
   grid.width[1] = grid.width[2] = width_of(units);
   grid.cell_side = units * unit;
@@ -132,9 +126,7 @@ Level make_level(const PlanFacts& facts, float r_max, double cell_side, std::uin
   const Grid& grid = level.grid;
   const std::uint32_t column_units = grid.width[0].units;
   const auto diameter_units = static_cast<std::uint32_t>(std::ceil(least * grid.units_per_length));
-  level.column_reach =
-      (diameter_units + OCTOCELL_FAULT(column_reach_rounded_down, 0U, column_units - 1)) /
-      column_units;
+  level.column_reach = (diameter_units + column_units - 1) / column_units;
   level.ids = 1;
   for (int a = 0; a < 3; ++a) level.ids *= grid.period(a);
   return level;

@@ -13,7 +13,6 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "core/faults.hpp"
 #include "core/flags.hpp"
 #include "core/lattice.hpp"
 #include "core/pair.hpp"
@@ -78,7 +77,7 @@ std::vector<RadiusClass> classify_radii(SceneView scene, const PlanFacts& facts)
     RadiusClass& c = tables[i % kAbreast][exponent + (r > 0.0F ? 1 : 0)];
     ++c.count;
     c.radius_sum += r;
-    c.largest = OCTOCELL_FAULT(level_radius_of_last, r, std::max(c.largest, r));
+    c.largest = std::max(c.largest, r);
   }
   std::vector<RadiusClass> found;
   for (std::size_t k = 0; k < tables[0].size(); ++k) {
@@ -123,7 +122,7 @@ FactsPass measure_facts(std::span<const Sphere> spheres) {
   for (; i + kAbreast <= spheres.size(); i += kAbreast) lanes.add(&spheres[i], above_zero);
   Sphere rest[kAbreast];
   for (std::size_t k = 0; k < kAbreast; ++k) rest[k] = spheres[std::min(i + k, spheres.size() - 1)];
-  OCTOCELL_FAULT(bounds_last_spheres_unseen, void(), lanes.add(rest, above_zero));
+  lanes.add(rest, above_zero);
 
   float lowest[4] = {kInfinity, kInfinity, kInfinity, kInfinity};
   float highest[4] = {-kInfinity, -kInfinity, -kInfinity, -kInfinity};

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <span>
 
-#include "core/faults.hpp"
-
 namespace octocell {
 namespace {
 
@@ -53,7 +51,7 @@ std::optional<std::string_view> LineReader::next() {
     end = end_of_line();
   }
   const bool is_last = end == std::string::npos;
-  if (OCTOCELL_FAULT(text_last_line_lost, is_last, begin_ == buffer_.size())) return std::nullopt;
+  if (begin_ == buffer_.size()) return std::nullopt;
   ++number_;
   const std::string_view line = std::string_view(buffer_).substr(begin_, end - begin_);
   begin_ = is_last ? buffer_.size() : end + 1;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "impl_cpu/coherence/movers.hpp"
-#include "core/faults.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -40,10 +39,7 @@ void Movers::allocate(const Workspace& whole) {
 }
 
 void Movers::start() {
-  for (std::uint64_t k = 0; k < count_; ++k) {
-    is_mover_[movers_[k] / 64] =
-        OCTOCELL_FAULT(frame_movers_not_forgotten, is_mover_[movers_[k] / 64], 0);
-  }
+  for (std::uint64_t k = 0; k < count_; ++k) is_mover_[movers_[k] / 64] = 0;
   count_ = taken_out_ = 0;
   others_stand_ = true;
 }
@@ -86,9 +82,8 @@ void Movers::drop_pairs(Workspace& whole) {
     for (std::uint64_t k = begin; k < end; ++k) {
       const Pair pair = pairs[k];
       pairs[stands] = pair;
-      stands += OCTOCELL_FAULT(frame_pairs_of_movers_stand, has(pair.i), has(pair.i) | has(pair.j))
-                    ? 0
-                    : 1;  // no branch, because it could not be predicted
+      stands +=
+          (has(pair.i) | has(pair.j)) ? 0 : 1;  // no branch, because it could not be predicted
     }
     standing_[begin / kPairsPerBlock] = stands - begin;
   };
@@ -107,13 +102,13 @@ void Movers::drop_pairs(Workspace& whole) {
 void Movers::take_out_of_order(Workspace& whole) {
   if (taken_out_ == count_) return;
   OrderedSpheres& o = whole.ordered;
-  whole.threads->for_blocks(
-      whole.scene.spheres.size(), kSpheresPerBlock, [&](std::uint64_t begin, std::uint64_t end) {
-        for (std::uint64_t k = begin; k < end; ++k) {
-          if (OCTOCELL_FAULT(frame_movers_stay_in_order, false, has(o.sphere[k])))
-            o.x[k] = std::numeric_limits<float>::quiet_NaN();
-        }
-      });
+  whole.threads->for_blocks(whole.scene.spheres.size(), kSpheresPerBlock,
+                            [&](std::uint64_t begin, std::uint64_t end) {
+                              for (std::uint64_t k = begin; k < end; ++k) {
+                                if (has(o.sphere[k]))
+                                  o.x[k] = std::numeric_limits<float>::quiet_NaN();
+                              }
+                            });
   taken_out_ = count_;
 }
 

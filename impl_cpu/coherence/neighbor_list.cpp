@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "impl_cpu/coherence/neighbor_list.hpp"
-#include "core/faults.hpp"
 
 #include <algorithm>
 #include <array>
@@ -77,7 +76,7 @@ void NeighborList::grow(const Workspace& whole, float half_skin) {
   const std::span<const Flags> flags = whole.scene.flags;
   is_valid_ = false;
   half_skin_ = half_skin;
-  implies_facts_ = OCTOCELL_FAULT(frame_box_unseen, true, steps_keep_facts(whole, half_skin));
+  implies_facts_ = steps_keep_facts(whole, half_skin);
   const auto grow_block = [&](std::uint64_t begin, std::uint64_t end) {
     for (std::uint64_t i = begin; i < end; ++i) {
       const Sphere& s = spheres[i];
@@ -142,8 +141,7 @@ bool NeighborList::fetch(const Workspace& whole, const Places& places, std::uint
   const Sphere* const spheres = whole.scene.spheres.data();
   const Object* const ids = some_are_static() ? movable_ids_.data() : order();
   const std::uint64_t last = places.size() - 1;
-  const float ball = filter_radius<Filter::safe>(
-      OCTOCELL_FAULT(frame_skin_twice_too_wide, 2.0F * half_skin_, half_skin_));
+  const float ball = filter_radius<Filter::safe>(half_skin_);
   const float point = filter_radius<Filter::safe>(0.0F);
   bool sure = true;
   for (std::uint64_t n = begin; n < end; ++n) {
@@ -178,9 +176,7 @@ bool NeighborList::statics_stand(const Workspace& whole) const {
     }
     return all;
   };
-  return OCTOCELL_FAULT(
-      frame_statics_unseen, true,
-      whole.threads->for_all_blocks(whole.scene.spheres.size(), kSpheresPerBlock, stand));
+  return whole.threads->for_all_blocks(whole.scene.spheres.size(), kSpheresPerBlock, stand);
 }
 
 template <typename Places>

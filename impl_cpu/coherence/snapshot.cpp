@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "impl_cpu/coherence/snapshot.hpp"
-#include "core/faults.hpp"
 
 #include <algorithm>
 #include <array>
@@ -37,8 +36,7 @@ void Snapshot::list_changed(SceneView scene, Threads& threads, std::uint64_t mos
   const Sphere* const spheres = scene.spheres.data();
   const auto per_block = [&](std::uint64_t begin, std::uint64_t end) {
     if (changed.size() > most) return;
-    const std::size_t bytes =
-        OCTOCELL_FAULT(frame_ignores_last_of_block, end - begin - 1, end - begin) * sizeof(Sphere);
+    const std::size_t bytes = (end - begin) * sizeof(Sphere);
     if (std::memcmp(copy_.data() + begin, spheres + begin, bytes) == 0) return;
     std::array<std::uint32_t, kSpheresPerBlock> found;
     std::size_t count = 0;

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/faults.hpp"
 #include "impl_cpu/half_shell/half_shell.hpp"
 
 namespace octocell::cpu::half_shell {
@@ -56,7 +55,7 @@ std::uint64_t list_rows(const Workspace& w, std::uint64_t begin, std::uint64_t e
   std::uint64_t listed = 0;
   std::uint32_t row = finder.first_id_of_row(ids[begin]);
   std::uint64_t row_end = std::uint64_t{row} + finder.columns();
-  if (begin == 0 || OCTOCELL_FAULT(index_row_lost_between_blocks, false, ids[begin - 1] < row)) {
+  if (begin == 0 || ids[begin - 1] < row) {
     rows[listed++] = {row, static_cast<std::uint32_t>(begin)};
   }
   for (std::uint64_t k = begin + 1; k < end; ++k) {
@@ -72,9 +71,7 @@ std::uint64_t list_rows(const Workspace& w, std::uint64_t begin, std::uint64_t e
 void join_rows(Workspace& w, const IndexBlocks& blocks) {
   OrderedSpheres& o = w.ordered;
   std::uint64_t count = 0;
-  const std::uint64_t joined =
-      OCTOCELL_FAULT(index_blocks_left_over, w.rows_of_block.size(), blocks.count);
-  for (std::uint64_t block = 0; block < joined; ++block) {
+  for (std::uint64_t block = 0; block < blocks.count; ++block) {
     const ColumnRow* const rows = o.rows.data() + block * blocks.rows_of_each;
     std::copy(rows, rows + w.rows_of_block[block], o.rows.data() + count);
     count += w.rows_of_block[block];

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/faults.hpp"
 #include "core/half_shell.hpp"
 #include "impl_cpu/block_size.hpp"
 #include "impl_cpu/half_shell/borders.hpp"
@@ -33,7 +32,7 @@ class SameLevel {
         ids_(spheres.column_ids),
         level_(w.plan.levels.level[level]),
         grid_(level_.grid),
-        diameter_(OCTOCELL_FAULT(border_distance_short, 1.0F, 2.0F) * level_.r_max),
+        diameter_(2.0F * level_.r_max),
         rows_(o_.rows.data() + o_.level_rows[level], o_.rows.data() + o_.level_rows[level + 1]),
         limit_(w.plan.candidate_limit),
         hits_within_(w, spheres, spheres),
@@ -50,8 +49,7 @@ class SameLevel {
       const IndexRange part = {std::max(all.begin, begin), std::min(all.end, end)};
       sweep_row(*row, part, all);
       const Place at = place_of(*row, part);
-      for (std::size_t k = 0;
-           OCTOCELL_FAULT(shell_row_missing, k + 1 < cursors.size(), k < cursors.size()); ++k) {
+      for (std::size_t k = 0; k < cursors.size(); ++k) {
         const RowStep step = shell_row(static_cast<int>(k) + 1);
         const auto there = row_one_step(at, step, cursors[k]);
         if (there) sweep_rows(*row, part, *there, strips(at, step));
@@ -87,8 +85,7 @@ class SameLevel {
                                             IndexRange part) const {
     if (!grid_.wraps(axis)) return wrapped;
     const float* const values = axis == 1 ? o_.y.data() : o_.z.data();
-    return OCTOCELL_FAULT(border_of_first_sphere, cell_coordinate(grid_, axis, values[part.begin]),
-                          common_cell(grid_, axis, {values + part.begin, values + part.end}));
+    return common_cell(grid_, axis, {values + part.begin, values + part.end});
   }
 
   /// A row that is adjacent to another, and its spheres.
@@ -136,8 +133,7 @@ class SameLevel {
 
   /// If x wraps, partners of the first columns lie in the last ones, too.
   [[nodiscard]] bool wraps_down(const Group& g) const {
-    return OCTOCELL_FAULT(shell_seam_not_crossed, false,
-                          grid_.wraps(0) && g.first_column < level_.column_reach);
+    return grid_.wraps(0) && g.first_column < level_.column_reach;
   }
   [[nodiscard]] bool wraps_up(const Group& g) const {
     return grid_.wraps(0) && g.last_column + level_.column_reach >= grid_.period(0);

@@ -11,7 +11,6 @@
 
 #include <cstdint>
 
-#include "core/faults.hpp"
 #include "core/half_shell.hpp"
 #include "impl_cuda_custom/half_shell/cell_starts.cuh"
 
@@ -204,10 +203,9 @@ inline Shells shells_of(Workspace& w, const CellStarts& starts) {
 inline OpenLevel open_level_of(Workspace& w, const CellStarts& starts) {
   const Level& level = w.levels().level[0];
   return {.ids = level.ids,
-          .column_reach =
-              OCTOCELL_FAULT(cuda_column_reach_short, level.column_reach - 1, level.column_reach),
+          .column_reach = level.column_reach,
           .row = level.grid.stride_y,
-          .layer = OCTOCELL_FAULT(cuda_layer_missing, level.grid.stride_y, level.grid.stride_z),
+          .layer = level.grid.stride_z,
           .starts = starts,
           .spheres = w.sorted_spheres.data(),
           .objects = w.sorted().values};

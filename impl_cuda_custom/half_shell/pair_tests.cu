@@ -6,7 +6,6 @@
 
 #include <cstdint>
 
-#include "core/faults.hpp"
 #include "impl_cuda_custom/coherence/neighbor_list.cuh"
 #include "impl_cuda_custom/half_shell/neighbours.cuh"
 #include "impl_cuda_custom/pair_sinks.cuh"
@@ -148,8 +147,7 @@ __global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce)
 template <typename Sink, typename Test, typename Stored>
 void test_runs(Workspace& w, const Test& test, const Stored* stored, const SinkArguments& sink) {
   const std::uint64_t count = w.sphere_count();
-  const unsigned blocks =
-      OCTOCELL_FAULT(cuda_blocks_missing, blocks_for(count / 2), blocks_for(count));
+  const unsigned blocks = blocks_for(count);
   with_neighbours(w, [&](const auto& neighbours) {
     const TestJob job = {.neighbours = neighbours,
                          .test = test,

@@ -15,7 +15,6 @@
 #include <cstdint>
 
 #include "core/cuda/cuda.cuh"
-#include "core/faults.hpp"
 #include "impl_cuda_custom/radix_sort/digit_histograms.cuh"
 #include "impl_cuda_custom/radix_sort/onesweep_tile.cuh"
 
@@ -208,20 +207,18 @@ void launch_passes(const Shape& shape, const Call& call) {
   const Layout there = layout_of(shape, call.scratch);
   const int last = shape.plan.passes - 1;
   for (int p = 0; p <= last; ++p) {
-    const Pass pass = {
-        .from = call.from(p),
-        .to = call.to(p),
-        .count = call.count,
-        .capacity = shape.capacity,
-        .out_of_order = call.out_of_order,
-        .takes_over = OCTOCELL_FAULT(cuda_order_left_behind, false,
-                                     p == last && call.to(p).keys != call.front.keys),
-        .digit = shape.plan.digits[p],
-        .starts = there.starts + static_cast<std::size_t>(p) * 2 * v.owners,
-        .next_tile = there.next_tile + p,
-        .words = there.words + look_back::kMargin * v.owners,
-        .states = look_back::states_of(OCTOCELL_FAULT(cuda_stale_look_back, 0, p)),
-        .ones = kOnes};
+    const Pass pass = {.from = call.from(p),
+                       .to = call.to(p),
+                       .count = call.count,
+                       .capacity = shape.capacity,
+                       .out_of_order = call.out_of_order,
+                       .takes_over = p == last && call.to(p).keys != call.front.keys,
+                       .digit = shape.plan.digits[p],
+                       .starts = there.starts + static_cast<std::size_t>(p) * 2 * v.owners,
+                       .next_tile = there.next_tile + p,
+                       .words = there.words + look_back::kMargin * v.owners,
+                       .states = look_back::states_of(p),
+                       .ones = kOnes};
     const auto kernel = v.kernels[p == 0 ? 0 : 1][p == last ? 0 : 1];  // the caller has arrays
     const std::uint32_t tiles = parts_of(shape.capacity, v.tile_items);
     kernel<<<tiles, v.threads, v.shared_bytes, call.stream>>>(pass);

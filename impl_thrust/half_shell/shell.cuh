@@ -10,7 +10,6 @@
 
 #include <cstdint>
 
-#include "core/faults.hpp"
 #include "core/half_shell.hpp"
 #include "impl_thrust/half_shell/half_shell.cuh"
 
@@ -44,7 +43,7 @@ struct Shell {
       const Level& level = levels->level[l];
       const Cell cell = wrapped_cell(level.grid, members[k]);
       const int steps = l == own ? kShellRows : kRowsAround;
-      for (int s = 0; s < OCTOCELL_FAULT(thrust_shell_row_missing, steps - 1, steps); ++s) {
+      for (int s = 0; s < steps; ++s) {
         const RowStep step = l == own ? shell_row(s) : row_around(s);
         const ColumnRow* const row = row_at(level, cell, step);
         if (row == nullptr) continue;

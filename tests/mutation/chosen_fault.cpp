@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "tests/mutation/fault_table.hpp"
+#include "tests/mutation/faults.hpp"
 
 namespace octocell::faults {
 namespace {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Would the tests notice a fault? Runs them on a build in which one fault after another is switched
-on (core/faults.hpp), each until a test fails. First runs all tests without a fault: they must pass,
+on (faults.toml), each until a test fails. First runs all tests without a fault: they must pass,
 and their times decide in which order they are tried. Exit code 1 if a fault survives."""
 
 from __future__ import annotations
@@ -23,28 +23,28 @@ from typing import Any, TypeVar
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "reports"))
 
+from plant import PlantedFault  # noqa: E402
+from plant import faults as planted_faults  # noqa: E402
+from runner import Check, Runner  # noqa: E402
+
 from octocell_report.console import Parser, run  # noqa: E402
 from octocell_report.files import check_outputs, write_json  # noqa: E402
-from runner import Check, Runner  # noqa: E402
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
-SOURCES = ("core", "harness", "impl_cpu", "impl_thrust", "impl_cuda_custom")
-PLANTED = re.compile(r"OCTOCELL_FAULT\(\s*(\w+)\s*,")
 DEVICE = "impl_cuda_custom"  # its faults need a GPU
 LEAST_LIMIT, LIMIT_FACTOR = 30.0, 10.0  # seconds, and times what a check takes without a fault
 EXIT_SURVIVED, EXIT_BAD_INPUT, EXIT_INTERRUPTED = 1, 2, 130
 
 # What is tried first for the faults of a file or folder; then all the rest, the quickest first.
 LIKELY = {
-    "core/predicate.hpp": (
-        "test_predicate test_properties_margins test_properties_predicate"
-    ),
+    "core/predicate.hpp": ("test_predicate test_properties_margins test_properties_predicate"),
     "core/grid.hpp": "test_grid test_properties_grid",
     "core/flags.hpp": "test_flags",
     "core/same_bits.hpp": "test_coherence",
     "core/chapter32.hpp": "test_cell_ids stress_impl_cpu",
+    "core/plan_facts.hpp": "test_bounds",
     "core/planner": "test_planner test_grid test_properties_grid",
     "core/planner/scene_stats.cpp": "test_bounds test_half_shell",
     "harness/files": "test_scene_files",
@@ -53,7 +53,6 @@ LIKELY = {
     "impl_cpu/half_shell": "test_half_shell test_coherence_movers",
     "impl_cpu/pair_list.hpp": "stress_many_pairs",
     "impl_cpu/radix_sort.cpp": "test_sort",
-    "impl_cpu/stage1_bounds.cpp": "test_bounds",
     "impl_cpu/stage2_cell_ids.cpp": "test_cell_ids",
     "impl_cpu/stage4_cell_index.cpp": "test_cell_index",
     "impl_cpu/stage5_pair_tests.cpp": "test_pair_tests",
@@ -68,8 +67,8 @@ LIKELY = {
 class Fault:
     name: str
     what: str
-    file: str | None  # none: the sources are not here (a bundle on another machine)
-    line: int | None
+    file: str
+    line: int | None  # none: the sources are not here (a bundle on another machine)
 
     @property
     def needs_device(self) -> bool:
@@ -77,8 +76,7 @@ class Fault:
 
     @property
     def likely(self) -> list[str]:
-        place = self.file or (DEVICE if self.needs_device else "")
-        fitting = [start for start in LIKELY if place.startswith(start)]
+        fitting = [start for start in LIKELY if self.file.startswith(start)]
         return LIKELY[max(fitting, key=len)].split() if fitting else []
 
 
@@ -110,23 +108,12 @@ class Verdict:
         }
 
 
-def sources() -> Iterator[Path]:
-    """Where faults may be planted."""
-    for folder in SOURCES:
-        for path in sorted((ROOT / folder).rglob("*")):
-            if path.suffix in {".cpp", ".hpp", ".cu", ".cuh"} and path.name != "faults.hpp":
-                yield path
-
-
-def places() -> dict[str, tuple[str, int]]:
-    """Where each fault is planted, by its name; of one that is planted twice, the last."""
-    found = {}
-    for path in sources():
-        text = path.read_text(encoding="utf-8")
-        for planted in PLANTED.finditer(text):
-            line = text.count("\n", 0, planted.start()) + 1
-            found[planted[1]] = (path.relative_to(ROOT).as_posix(), line)
-    return found
+def line_of(fault: PlantedFault) -> int | None:
+    path = ROOT / fault.file
+    if not path.is_file():
+        return None
+    text = path.read_text(encoding="utf-8")
+    return text.count("\n", 0, fault.place_in(text)[0]) + 1
 
 
 def faults_in(program: Path) -> list[Fault]:
@@ -134,10 +121,11 @@ def faults_in(program: Path) -> list[Fault]:
     done = subprocess.run([program], env=environment, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         sys.exit(f"mutants: {program} has no faults: it is not of the preset `faults`")
-    where = places()
+    known = set(line.split("\t")[0] for line in done.stdout.splitlines())
     return [
-        Fault(name, what, *where.get(name, (None, None)))
-        for name, what in (line.split("\t") for line in done.stdout.splitlines())
+        Fault(fault.name, fault.what, fault.file, line_of(fault))
+        for fault in planted_faults()
+        if fault.name in known
     ]
 
 

@@ -1,43 +1,40 @@
 # SPDX-License-Identifier: MIT
-"""The planted faults: each name occurs in the code once; the normal program has none."""
+"""The faults: each can be planted in the sources as they are, and none is in the program."""
 
 from __future__ import annotations
 
-import re
 import subprocess
 from collections import Counter
+from pathlib import Path
 
 import mutants
+import plant
 import pytest
 from program import ROOT, Octocell
 from runner import Check, Runner, why_failed
 
-TABLE = ROOT / "tests/mutation/fault_table.hpp"
 USE = """
-#include "core/faults.hpp"
-int answer(int r) { return OCTOCELL_FAULT(filter_touching_apart, r < 3, r <= 3); }
+#include "core/sphere.hpp"
+bool touch(int r) { return r <= 3 && r > 0; }
 """
 
 
-def names() -> list[str]:
-    return re.findall(r'^  fault\((\w+), "', TABLE.read_text(encoding="utf-8"), re.MULTILINE)
+def fault(sound: str, name: str = "touching_apart", faulty: str = "r < 3") -> plant.PlantedFault:
+    return plant.PlantedFault(name, "spheres that touch are apart", "a.hpp", sound, faulty)
 
 
-def planted() -> list[str]:
-    texts = (path.read_text(encoding="utf-8") for path in mutants.sources())
-    return [name for text in texts for name in mutants.PLANTED.findall(text)]
+@pytest.mark.parametrize("planted", plant.faults(), ids=lambda planted: planted.name)
+def test_a_fault_has_its_place_in_the_sources(planted: plant.PlantedFault) -> None:
+    text = (ROOT / planted.file).read_text(encoding="utf-8")
+    begin, end = planted.place_in(text)
+    assert "".join(text[begin:end].split()) != "".join(planted.faulty.split())
+    assert planted.what
 
 
-def preprocessed(*flags: str) -> str:
-    command = ["g++", "-std=c++20", "-E", "-P", f"-I{ROOT}", *flags, "-x", "c++", "-"]
-    done = subprocess.run(command, input=USE, text=True, capture_output=True, check=True)
-    return done.stdout
-
-
-def test_every_fault_is_planted_once_and_none_is_unknown() -> None:
-    assert len(names()) >= 25
-    assert Counter(planted()) == Counter(names())
-    assert max(Counter(names()).values()) == 1
+def test_faults_are_many_and_their_names_are_different() -> None:
+    names = [planted.name for planted in plant.faults()]
+    assert len(names) >= 25
+    assert max(Counter(names).values()) == 1
 
 
 def test_every_fault_has_checks_of_its_own_that_exist() -> None:
@@ -45,24 +42,56 @@ def test_every_fault_has_checks_of_its_own_that_exist() -> None:
         path.stem for path in (ROOT / "tests").rglob("test_*") if path.suffix in {".cpp", ".cu"}
     }
     stress = {"stress_impl_cpu", "stress_impl_thrust", "stress_many_pairs"}
-    for name, (file, line) in mutants.places().items():
-        likely = mutants.Fault(name, "", file, line).likely
-        assert likely, f"{name} in {file}: no check in LIKELY"
-        assert set(likely) <= stems | stress, name
+    for planted in plant.faults():
+        likely = mutants.Fault(planted.name, "", planted.file, None).likely
+        assert likely, f"{planted.name} in {planted.file}: no check in LIKELY"
+        assert set(likely) <= stems | stress, planted.name
 
 
-def test_without_faults_only_the_sound_code_is_left() -> None:
-    assert " ".join(preprocessed().split()) == "int answer(int r) { return (r <= 3); }"
-    with_faults = preprocessed("-DOCTOCELL_FAULTS")
-    assert "r < 3" in with_faults
-    assert "faults::chosen" in with_faults
+@pytest.mark.parametrize("sound", ["r <= 3", "r<=3", "return «r <= 3» &&", "return «r\n<= 3» && r"])
+def test_a_fault_is_planted_where_its_text_is(sound: str) -> None:
+    text = plant.planted(USE, [fault(sound)])
+    assert "return OCTOCELL_FAULT(touching_apart, r < 3, r <= 3) && r > 0;" in text
+    assert text.index(plant.MACRO) < text.index("core/sphere.hpp")
+
+
+@pytest.mark.parametrize("sound", ["r >= 3", "r", "return «r <= 4» &&"])
+def test_a_fault_without_a_place_of_its_own_is_refused(sound: str) -> None:
+    with pytest.raises(plant.CannotPlant, match=r"touching_apart: .* a.hpp \d times, not once"):
+        plant.planted(USE, [fault(sound)])
+
+
+def test_two_faults_do_not_overlap() -> None:
+    two = [fault("r <= 3"), fault("r <= 3 && r > 0", name="other", faulty="true")]
+    with pytest.raises(plant.CannotPlant, match="overlaps"):
+        plant.planted(USE, two)
+
+
+def test_a_copy_of_the_sources_has_all_faults_and_compiles(tmp_path: Path) -> None:
+    """Planting again changes no file, and removes what is no longer in the sources."""
+    plant.plant_all(tmp_path)
+    text = (tmp_path / "core/predicate.hpp").read_text(encoding="utf-8")
+    assert "OCTOCELL_FAULT(filter_touching_apart, " in text
+    done = subprocess.run(
+        ["g++", "-std=c++20", "-E", "-P", f"-I{tmp_path}", tmp_path / "core/predicate.hpp"],
+        text=True, capture_output=True, check=True,
+    )  # fmt: skip
+    assert "faults::chosen" in done.stdout
+
+    times = {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*") if path.is_file()}
+    stale = tmp_path / "core/gone.hpp"
+    stale.touch()
+    plant.plant_all(tmp_path)
+    assert not stale.exists()
+    assert times == {path: path.stat().st_mtime_ns for path in times}
 
 
 def test_the_program_holds_nothing_of_them(octocell: Octocell) -> None:
     """Neither the names, nor the variable that chooses one, nor a symbol of theirs."""
     program = octocell.path.read_bytes()
     assert b"as_written" in program, "names of rules can be found in it, so others could, too"
-    for trace in ("OCTOCELL_FAULT", "6faults6chosen", *names()):
+    names = (planted.name for planted in plant.faults())
+    for trace in ("OCTOCELL_FAULT", "6faults6chosen", *names):
         assert trace.encode() not in program, trace
 
 
@@ -92,7 +121,7 @@ def test_a_check_that_hangs_is_ended() -> None:
 
 
 def test_a_fault_is_tried_until_a_check_fails() -> None:
-    fault = mutants.Fault("some_fault", "", None, None)
+    fault = mutants.Fault("some_fault", "", "core/grid.hpp", None)
     passes = Check("passes", ("true",))
     notices = Check("notices", ("sh", "-c", '[ "$OCTOCELL_FAULT" != some_fault ]'))
     last = Check("last", ("false",))
