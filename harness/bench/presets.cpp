@@ -161,8 +161,8 @@ std::vector<Group> frames_groups() {
   constexpr int kFrames = 44;  // enough for neighbor lists to begin and end
   constexpr int kRounds = 5;
   std::vector<Group> groups;
-  for (const Motion motion :
-       {Motion::still, Motion::slow, Motion::few, Motion::brownian, Motion::gravity}) {
+  for (const Motion motion : {Motion::still, Motion::slow, Motion::few, Motion::darts,
+                              Motion::brownian, Motion::gravity}) {
     add_frames(groups, motion, kFrames, kRounds);
   }
   add_static(groups, Motion::brownian, kFrames, kRounds);

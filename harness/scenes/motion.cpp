@@ -23,6 +23,8 @@ namespace {
 constexpr double kStep = 0.0577;  // part of the radius: at most 0.1 radii in three dimensions
 constexpr double kSlowStep = kStep / 10.0;
 constexpr double kFewMove = 0.1;        // part of all spheres
+constexpr double kDarts = 0.01;         // part of all spheres
+constexpr double kDartStep = 2.0;       // part of the radius
 constexpr double kAcceleration = 0.02;  // part of the largest radius, per frame and frame
 constexpr double kRestitution = 0.5;
 
@@ -75,11 +77,13 @@ void step_brownian(World& world, const std::vector<Sphere>& radii, double step, 
   }
 }
 
-/// Draws the few from the same seed in every frame, so they are always the same spheres.
-void step_few(World& world, const std::vector<Sphere>& radii, std::uint64_t seed, Random& random) {
+/// Moves a share of the spheres. Draws them from the same seed in every frame, so they stay the
+/// same.
+void step_some(World& world, const std::vector<Sphere>& radii, double share, double longest,
+               std::uint64_t seed, Random& random) {
   Random draw(~seed);
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    if (draw.uniform() < kFewMove) jostle(world, i, kStep, radii[i].r, random);
+    if (draw.uniform() < share) jostle(world, i, longest, radii[i].r, random);
   }
 }
 
@@ -160,7 +164,10 @@ Frames move(const std::vector<Sphere>& start, Motion motion, int count, std::uin
         step_brownian(world, start, kSlowStep, random);
         break;
       case Motion::few:
-        step_few(world, start, seed, random);
+        step_some(world, start, kFewMove, kStep, seed, random);
+        break;
+      case Motion::darts:
+        step_some(world, start, kDarts, kDartStep, seed, random);
         break;
       case Motion::still:
         break;

@@ -24,7 +24,9 @@ def dynamic(octocell: Octocell, tmp_path: Path, *args: object) -> Json:
     return document
 
 
-@pytest.mark.parametrize("motion", ["brownian", "free_fall", "gravity", "slow", "few", "still"])
+@pytest.mark.parametrize(
+    "motion", ["brownian", "free_fall", "gravity", "slow", "few", "darts", "still"]
+)
 def test_every_row_is_exact_on_every_frame(octocell: Octocell, tmp_path: Path, motion: str) -> None:
     document = dynamic(octocell, tmp_path, "gas:n=800", "--motion", motion, "--frames", FRAMES)
     assert document["groups"][0]["scene"] == f"gas_{motion}"

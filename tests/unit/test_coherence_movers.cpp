@@ -30,6 +30,17 @@ TEST(FewMovers, CostWorkInProportionToThem) {
   }
 }
 
+/// They move too far for a skin, and are too few for a search of all.
+TEST(FewMovers, ServeWhereAFewFlyFar) {
+  const Frames frames = played("gas:n=20000", Motion::darts, 12);
+  Player player = on_cpu(moving());
+  std::size_t served = 0;
+  for (const Spheres& frame : frames) {
+    served += player.check({frame}, "darts").reused == Skip::few_movers ? 1 : 0;
+  }
+  EXPECT_GE(served, frames.size() - 2);
+}
+
 TEST(FewMovers, OneAloneIsLookedForAlone) {
   Spheres spheres = generate("gas:n=20000").spheres;
   Player player = on_cpu(moving());
