@@ -25,7 +25,7 @@ _KEYS = ["backend", "threads", "scene", "n", "run", "motion"]  # of a study
 
 def require(result: Result) -> None:
     """Throws ReportError for a result that is no ablation."""
-    if not result.variants:
+    if result.variants_frame.empty:
         raise ReportError(
             "has no planned row with skips forbidden; octocell bench --preset ablation makes them"
         )

@@ -87,7 +87,7 @@ def commit(result: Result) -> Said:
 def ablation(result: Result) -> list[Said]:
     """Where it comes from, how often the plan is as good as asked, and what could not be judged."""
     left_out, found = unjudged(result), regrets(result)
-    backends = dict.fromkeys(row.backend for row in result.variants)
+    backends = result.variants_frame["backend"].unique()
     return [
         *origins([result]),
         *(_regret(backend, found[found["backend"] == backend]) for backend in backends),

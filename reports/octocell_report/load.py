@@ -22,7 +22,6 @@ Whole numbers that may be absent are of dtype Int64 (pd.NA where absent), other 
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -36,31 +35,9 @@ from msgspec.structs import asdict
 from octocell_report.fields import Json, ReportError, convert, shown
 from octocell_report.files import read_json
 from octocell_report.predicates import EXACT
-from octocell_report.schema import (
-    DEVICE_RUNS,
-    KINDS,
-    RUNS,
-    STAGES,
-    Document,
-    Gpu,
-    Group,
-    Impl,
-    Place,
-    Row,
-)
+from octocell_report.schema import DEVICE_RUNS, RUNS, STAGES, Document, Gpu, Group, Place, Row
 
-__all__ = [
-    "DEVICE_RUNS",
-    "RUNS",
-    "STAGES",
-    "Group",
-    "Impl",
-    "Place",
-    "Result",
-    "Row",
-    "load",
-    "parse",
-]
+__all__ = ["DEVICE_RUNS", "RUNS", "STAGES", "Group", "Place", "Result", "load", "parse"]
 
 SCHEMA = 2
 _IMPLEMENTATION = ["backend", "method", "rule", "threads", "predicate"]  # what is compared
@@ -73,10 +50,6 @@ _TYPES = {
     **dict.fromkeys(("plan_ms", "median_ms", "min_ms", "max_ms"), "float64"),
     **dict.fromkeys(("worst_missed_depth", "worst_false_gap"), "float64"),
 }
-_DERIVED = (
-    *("ran", "counts", "excused", "motion", "family", "round_ms", "median_ms", "min_ms", "max_ms"),
-    "rounds",
-)
 
 
 @dataclass(frozen=True)
@@ -87,8 +60,6 @@ class Result:
     variants_frame: pd.DataFrame  # planned rows with skips forbidden
     absent: dict[str, str]  # backends that could not run at all, and why; they have no rows here
     gpu: Gpu | None  # that the device rows ran on
-    rows: list[Row]
-    variants: list[Row]
 
     @cached_property
     def stages(self) -> pd.DataFrame:
@@ -119,48 +90,9 @@ class Result:
         columns = ["row", "frame", "warmup", "median_ms", "min_ms", "max_ms"]
         return pd.DataFrame(lines, columns=columns)
 
-    @cached_property
-    def labels(self) -> dict[Impl, str]:
-        return dict(zip(self.impls, self.frame.sort_values("order")["label"].unique(), strict=True))
-
-    @property
-    def impls(self) -> list[Impl]:
-        """In table order: backends before baselines, else as first met."""
-        seen: dict[Impl, str] = {}
-        for row in self.rows:
-            seen.setdefault(row.impl, row.kind)
-        return sorted(seen, key=lambda impl: KINDS.index(seen[impl]))
-
-    def impls_of(self, side: str) -> list[Impl]:
-        sides = self.sides
-        return [impl for impl in self.impls if sides[impl] == side]
-
-    @property
-    def sides(self) -> dict[Impl, str]:
-        """Which of SIDES each is on; a backend is on a device if it takes memory there."""
-        on_device = {row.impl.backend for row in self.rows if row.device_bytes is not None}
-        return {
-            row.impl: "device" if row.impl.backend in on_device else row.kind for row in self.rows
-        }
-
     @property
     def scenes(self) -> list[str]:
         return list(dict.fromkeys(group.scene for group in self.groups))
-
-    def sizes(self, scene: str) -> list[int]:
-        """Ascending; an unavailable scene has none."""
-        return sorted(g.n for g in self.groups if g.scene == scene and g.unavailable is None)
-
-    def at(self, place: Place, run: str) -> list[Row]:
-        return [row for row in self.rows if row.place == place and row.run == run]
-
-    def largest(self, scene: str, fits: Callable[[Row], bool] | None = None) -> Place | None:
-        """The scene at its largest size that has spheres, and a row that fits if that is asked."""
-        sizes = [n for n in self.sizes(scene) if n > 0]
-        if fits is not None:
-            met = {row.place.n for row in self.rows if row.place.scene == scene and fits(row)}
-            sizes = [n for n in sizes if n in met]
-        return Place(scene, sizes[-1]) if sizes else None
 
 
 def load(path: Path) -> Result:
@@ -189,8 +121,6 @@ def parse(document: Any) -> Result:
         variants_frame=_with_implementations(variants, known),
         absent=absent,
         gpu=found.context.gpu,
-        rows=[found.rows[i] for i in default.index],
-        variants=[found.rows[i] for i in variants.index],
     )
 
 
@@ -198,18 +128,24 @@ def _rows(found: Document) -> pd.DataFrame:
     """The rows with their groups, and what follows from a row alone."""
 
     def line(row: Row) -> dict[str, Any]:
-        times, ours = row.round_ms, row.kind == "backend"
+        times, ran = row.frames.steady if row.frames else row.total_ms, row.status != "skipped"
+        only_missed = row.false == 0 and row.duplicates == 0
         return asdict(row) | {
             "predicate": row.predicate if row.predicate != EXACT else None,
-            "family": row.backend if ours else row.backend.split("_", 1)[0],
-            **{"ran": row.status != "skipped", "counts": row.counts, "excused": row.excused},
+            "family": row.backend.split("_", 1)[0] if row.kind == "baseline" else row.backend,
             "motion": row.frames.scene if row.frames else None,
-            **{"round_ms": times, "rounds": len(times), "median_ms": row.median_ms},
+            **{"ran": ran, "counts": row.status == "ok" and not row.negative_control},
+            "excused": bool(row.status == "wrong" and row.known_issues and only_missed),
+            **{
+                "round_ms": times,
+                "rounds": len(times),
+                "median_ms": median(times) if ran else None,
+            },
             **{"min_ms": min(times, default=None), "max_ms": max(times, default=None)},
         }
 
-    columns = [*Row.__struct_fields__, *_DERIVED]
-    rows = pd.DataFrame(map(line, found.rows), columns=columns, dtype=object).astype(_TYPES)
+    columns = dict.fromkeys([*Row.__struct_fields__, "family", "motion", "round_ms", *_TYPES])
+    rows = pd.DataFrame(map(line, found.rows), columns=[*columns], dtype=object).astype(_TYPES)
     groups = pd.DataFrame(
         [
             (i, g.scene, g.n, g.truth_pairs, g.truth and g.truth.checksum, g.scene_class, g.real)

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 from statistics import median
 from typing import Annotated, NamedTuple
 
@@ -11,7 +10,7 @@ from msgspec import Meta, Struct, field
 
 from octocell_report.fields import Name, Number, Text, Whole, choice
 from octocell_report.plan import PLANNED
-from octocell_report.predicates import EXACT, PREDICATES, SCENE_CLASSES
+from octocell_report.predicates import PREDICATES, SCENE_CLASSES
 
 DEVICE_RUNS = ("cold_cache", "graph", "transfers")  # of backends on a device, beside cold and warm
 RUNS = ("cold", "warm", *DEVICE_RUNS, "first_update", "update", "dynamic")
@@ -130,16 +129,6 @@ class Motion(Struct):
         return tuple(median(times[self.warmup :] or times) for times in self.frame_ms)
 
 
-class Impl(NamedTuple):
-    """What is compared: one backend or baseline, its method and rule, its thread count."""
-
-    backend: str
-    method: str | None
-    rule: str | None
-    threads: int
-    predicate: str | None = None  # where it is not the one that users get
-
-
 class Row(Struct):
     """One implementation at one place in one kind of run. What was not measured is None."""
 
@@ -192,40 +181,6 @@ class Row(Struct):
             raise ValueError(f"'skips' is set, but its method is not {PLANNED}")
         known = sorted(self.stage_ms.items(), key=lambda item: _rank(item[0]))
         self.stage_ms = {stage: ms for stage, ms in known if ms}
-
-    @property
-    def motion(self) -> Motion | None:
-        return self.frames
-
-    @property
-    def impl(self) -> Impl:
-        other = self.predicate if self.predicate != EXACT else None
-        return Impl(self.backend, self.method, self.rule, self.threads, other)
-
-    @property
-    def place(self) -> Place:
-        return Place(self.scene, self.n)
-
-    @property
-    def round_ms(self) -> tuple[float, ...]:
-        """One time per round: the steady frame of a row with frames, else the total."""
-        return self.motion.steady if self.motion else self.total_ms
-
-    @property
-    def median_ms(self) -> float:
-        """Median over the rounds; NaN for a skipped row."""
-        return median(self.round_ms) if self.round_ms else math.nan
-
-    @property
-    def excused(self) -> bool:
-        """Wrong in the way that its library is known for: pairs are missed, nothing else."""
-        only_missed = self.false == 0 and self.duplicates == 0
-        return bool(self.status == "wrong" and self.known_issues and only_missed)
-
-    @property
-    def counts(self) -> bool:
-        """True if its time may stand bare: exact, and not a negative control."""
-        return self.status == "ok" and not self.negative_control
 
 
 def _rank(stage: str) -> int:

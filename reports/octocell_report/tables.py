@@ -3,12 +3,10 @@
 
 from __future__ import annotations
 
-import math
-
 import pandas as pd
 
 from octocell_report import spread
-from octocell_report.load import DEVICE_RUNS, RUNS, Place, Result, Row
+from octocell_report.load import DEVICE_RUNS, RUNS, Place, Result
 
 UPDATES = ("first_update", "update")
 DYNAMIC = "dynamic"
@@ -62,8 +60,3 @@ def speedups(result: Result) -> pd.DataFrame:
         ["run", "group", "motion", "family_ref", "row"],
         key=lambda keys: keys.map(order[keys.name].index) if keys.name in order else keys,
     )
-
-
-def ns_per_sphere(row: Row) -> float:
-    """NaN without spheres or without a time."""
-    return row.median_ms * 1e6 / row.place.n if row.place.n else math.nan

@@ -53,16 +53,16 @@ def three():
 
 
 def test_the_steady_state_leaves_warm_up_frames_out():
-    known = result_of(moving(factor=1.0)).rows[0]
-    assert known.round_ms == pytest.approx((2.0, 2.2, 2.4))
-    assert known.median_ms == pytest.approx(2.2)
-    assert known.motion.by_frame == pytest.approx([11.0, 11.0, 1.1, 2.2, 3.3])
+    known = result_of(moving(factor=1.0)).frame.iloc[0]
+    assert known["round_ms"] == pytest.approx((2.0, 2.2, 2.4))
+    assert known["median_ms"] == pytest.approx(2.2)
+    assert known["frames"].by_frame == pytest.approx([11.0, 11.0, 1.1, 2.2, 3.3])
 
 
 def test_where_all_is_warm_up_all_frames_count():
     known = moving(factor=1.0)
     known["frames"]["warmup_frames"] = 5
-    assert result_of(known).rows[0].round_ms[0] == 3.0
+    assert result_of(known).frame["round_ms"][0][0] == 3.0
 
 
 def test_ratios_are_of_steady_frames_round_by_round():
@@ -126,7 +126,7 @@ def test_dynamic_rows_without_frames_are_tolerated():
     plain = row(run="dynamic", frames=None)
     less = skipped(row("fcl_a", None, None, run="dynamic"), "crashed: signal 11")
     result = parse(synthetic.document([group("gas", 1000)], [plain, less]))
-    assert result.rows[0].round_ms == (1.0, 1.02, 1.04)
+    assert result.frame["round_ms"][0] == (1.0, 1.02, 1.04)
     assert page_tables.steady_frames(result).empty
     assert "crashed: signal 11" in page.render(result, page.Path("nowhere"))
 

@@ -9,7 +9,7 @@ import pytest
 
 from octocell_report import captions, check
 from octocell_report.fields import ReportError
-from octocell_report.load import STAGES, Impl, Place, load, parse
+from octocell_report.load import STAGES, load, parse
 
 import synthetic
 import synthetic_ablation
@@ -22,24 +22,21 @@ def one_row(**changes):
     return synthetic.document([group("gas", 1000)], [row() | changes])
 
 
-def test_rows_come_through_with_their_values():
-    known = parse(one_row(fused={"resolve": "pair_tests"})).rows[0]
-    assert known.impl == Impl("impl_cpu", "home_phantom", "lowest_cell", 1)
-    assert known.place == Place("gas", 1000)
-    assert known.median_ms == 1.02
-    assert known.fused == {"resolve": "pair_tests"}
-    assert known.counts
+def first(document):
+    """The first row as users have it."""
+    return parse(document).frame.iloc[0]
 
 
 def test_stages_stand_in_the_order_in_which_they_run():
     stages = {stage: [1.0] for stage in sorted(STAGES)} | {"extra": [1.0]}
-    assert list(parse(one_row(stage_ms=stages)).rows[0].stage_ms) == [*STAGES, "extra"]
+    found = parse(one_row(stage_ms=stages)).stages
+    assert found["stage"].tolist() == [*STAGES, "extra"]
 
 
 def test_backends_come_before_baselines_whatever_the_order_of_rows():
     rows = [row("bullet_dbvt", None, None), row()]
-    result = parse(synthetic.document([group("gas", 1000)], rows))
-    assert [impl.backend for impl in result.impls] == ["impl_cpu", "bullet_dbvt"]
+    frame = parse(synthetic.document([group("gas", 1000)], rows)).frame
+    assert frame.sort_values("order")["backend"].tolist() == ["impl_cpu", "bullet_dbvt"]
 
 
 @pytest.mark.parametrize(
@@ -119,8 +116,8 @@ def test_ok_without_a_truth_is_an_error():
 def test_a_skipped_row_has_no_times():
     document = one_row()
     document["rows"] = [skipped(row(), "too many"), row(run="cold")]
-    known = parse(document).rows[0]
-    assert known.total_ms == () and known.stage_ms == {}
+    known = first(document)
+    assert known["round_ms"] == () and math.isnan(known["median_ms"]) and not known["ran"]
 
 
 def test_a_backend_that_could_not_run_at_all_has_no_rows():
@@ -129,7 +126,7 @@ def test_a_backend_that_could_not_run_at_all_has_no_rows():
         skipped(row(backend="impl_thrust_cuda", run=run), "no CUDA device") for run in RUN_FACTORS
     ]
     result = parse(document)
-    assert [known.impl.backend for known in result.rows] == ["impl_cpu"]
+    assert result.frame["backend"].tolist() == ["impl_cpu"]
     assert result.absent == {"impl_thrust_cuda": "no CUDA device"}
     (_, absent) = captions.counts(result, check.judge(result))
     assert absent.en == "Could not run here: impl_thrust_cuda (no CUDA device)."
@@ -140,31 +137,24 @@ def test_a_backend_that_could_not_run_at_all_has_no_rows():
 def test_a_wrong_row_may_not_know_its_losses():
     document = one_row()
     document["rows"] = [wrong(row(), missed=1) | {"missed": None, "false": None}]
-    assert parse(document).rows[0].status == "wrong"
+    assert first(document)["status"] == "wrong"
 
 
 def test_variants_of_the_plan_stand_apart_from_rows_as_users_have_them():
     document = synthetic_ablation.document(*synthetic_ablation.group_rows())
     result = parse(document)
-    assert [row.skips for row in result.variants] == [
-        row["skips"] for row in document["rows"] if row["skips"]
-    ]
-    assert {row.impl.method for row in result.rows} == {"planned", "home_phantom", "half_shell"}
-    plan = result.rows[0].plan
-    assert plan and plan.skips == ("key_bits", "safe_band", "phantoms", "sort")
-    assert result.frame["label"][0] == "impl_cpu planned"
-
-
-def test_skips_and_plan_are_optional_and_may_be_null():
-    for fields in ({}, {"skips": None, "plan": None}):
-        known = parse(one_row(**fields)).rows[0]
-        assert known.skips is None and known.plan is None
+    skips = [row["skips"] for row in document["rows"] if row["skips"]]
+    assert result.variants_frame["skips"].tolist() == skips
+    assert set(result.frame["method"]) == {"planned", "home_phantom", "half_shell"}
+    known = result.frame.iloc[0]
+    assert known["plan"].skips == ("key_bits", "safe_band", "phantoms", "sort")
+    assert {known["label"], *result.variants_frame["label"]} == {"impl_cpu planned"}
 
 
 def test_a_packed_result_reads_like_a_plain_one(every_case, save, tmp_path):
     plain, packed = save(every_case), tmp_path / "packed.json.gz"
     packed.write_bytes(gzip.compress(plain.read_bytes()))
-    assert load(packed).rows == load(plain).rows
+    assert load(packed).frame.equals(load(plain).frame)
 
 
 @pytest.mark.parametrize("content", [b"no gzip", gzip.compress(b"{}" * 999)[:-20]])
@@ -176,13 +166,16 @@ def test_a_packed_result_that_is_not_whole_is_named(tmp_path, content):
 
 
 def test_the_frame_has_a_line_for_every_row(every_case):
-    result = parse(every_case)
-    frame = result.frame
+    frame = parse(every_case).frame
     assert frame["name"].tolist() == [row["name"] for row in every_case["rows"]]
-    assert frame["label"].tolist() == [result.labels[known.impl] for known in result.rows]
-    for line, known in zip(frame.itertuples(), result.rows, strict=True):
-        assert (line.ran, line.counts) == (known.status != "skipped", known.counts)
-        assert line.ran == (not math.isnan(line.median_ms))
+    states = frame[["status", "negative_control", "ran", "counts"]].drop_duplicates()
+    assert sorted(states.values.tolist()) == [
+        ["ok", False, True, True],
+        ["skipped", False, False, False],
+        ["wrong", False, True, False],
+        ["wrong", True, True, False],
+    ]
+    assert (frame["median_ms"].notna() == frame["ran"]).all()
     gas = frame[(frame["scene"] == "gas") & (frame["run"] == "warm") & frame["counts"]]
     ours = gas[(gas["rule"] == "lowest_cell") & (gas["n"] == 1000)].iloc[0]
     assert ours["median_ms"] == ours["round_ms"][1] and ours["rounds"] == 3
