@@ -1,2 +1,0 @@
-# SPDX-License-Identifier: MIT
-from octocell_report.schema import Motion as Motion
