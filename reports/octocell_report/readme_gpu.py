@@ -13,7 +13,7 @@ from octocell_report.language import tell
 from octocell_report.load import Result
 from octocell_report.markdown import bold, code, table
 from octocell_report.readme_bench import SCENE, Row, best, chosen, faster, shown
-from octocell_report.sort import TITLES, SortResult, SortRow
+from octocell_report.sort import TITLES, SortResult
 from octocell_report.spread import ratios
 from octocell_report.words import NONE, grouped, number
 
@@ -23,7 +23,7 @@ EXTRA_RUNS = {"graph": "graph", "transfers": "with transfers"}  # of ours, besid
 STAGE_SIZES = (1_000_000, 10_000_000)
 
 CUB = "cub"
-EXPONENTS = (16, 20, 24, 26)  # of 2: how many pairs are sorted
+SIZES = [1 << exponent for exponent in (16, 20, 24, 26)]  # how many pairs are sorted
 WIDTHS = (20, 32)  # of keys, in bits
 
 
@@ -120,38 +120,33 @@ def _percent(share: float) -> str:
 
 def sorts(result: SortResult) -> str:
     """A line per key width and sort, a column per size; behind each rate its ratio to CUB's."""
-    found = {
-        (row.bits, row.algorithm, row.n): row
-        for row in result.on("gpu").rows
-        if row.order == "random" and row.bits in WIDTHS and row.n in {1 << e for e in EXPONENTS}
-    }
-    if not found:
+    rows = result.on("gpu").frame
+    rows = rows[(rows["order"] == "random") & rows["bits"].isin(WIDTHS) & rows["n"].isin(SIZES)]
+    if rows.empty:
         raise ReportError("block 'gpu_sorts' needs rows of a GPU at its sizes and key widths")
-    sizes = sorted({n for _, _, n in found})
-    met = {name for _, name, _ in found}
-    names = [*(name for name in TITLES if name in met), *sorted(met - set(TITLES))]
-    lines = []
-    for bits, name in ((bits, name) for bits in WIDTHS for name in names):
-        rows = [(found.get((bits, name, n)), found.get((bits, CUB, n))) for n in sizes]
-        if any(row for row, _ in rows):
-            lines.append([TITLES.get(name, name), bits, *(_sorted(*both) for both in rows)])
-    gpu = result.context.get("gpu") or {}
-    where = f" on {gpu['name']}" if gpu else ""
+    cubs = {(r.bits, r.n): r for r in rows.itertuples() if r.algorithm == CUB}
+    known = {name: place for place, name in enumerate(TITLES)}
+    place = rows["algorithm"].map(known).fillna(len(known))
+    cells = [_sorted(row, cubs.get((row.bits, row.n))) for row in rows.itertuples()]
+    wide = rows.assign(place=place, cell=cells).pivot(
+        index=["bits", "place", "title"], columns="n", values="cell"
+    )
+    lines = wide.rename(columns=lambda n: f"2^{n.bit_length() - 1}").reset_index()
+    lines = lines.drop(columns="place").rename(columns={"title": "sort", "bits": "key bits"})
+    gpu = result.context.gpu
+    where = f" on {gpu.name}" if gpu else ""
     note = (
         f"10⁹ pairs a second{where} (32-bit key, 32-bit value), keys in random order, median of "
         f"the rounds; in brackets the rate divided by {TITLES[CUB]}'s, above 1 is faster."
     )
-    header = ["sort", "key bits", *(f"2^{n.bit_length() - 1}" for n in sizes)]
-    return table(pd.DataFrame(lines, columns=header), note)
+    return table(lines[["sort", "key bits", *lines.columns[2:]]], note)
 
 
-def _sorted(row: SortRow | None, reference: SortRow | None) -> str:
+def _sorted(row: Row, cub: Row | None) -> str:
     """'42.6 (1.16×)'."""
-    if row is None:
-        return NONE
     if row.status != "ok":
         return bold("wrong") if row.status == "wrong" else "skipped"
     rate = number(median(row.rates))
-    if reference is None or reference is row or reference.status != "ok":
+    if cub is None or cub.algorithm == row.algorithm or cub.status != "ok":
         return rate
-    return f"{rate} ({words.ratio(median(ratios(row.rates, reference.rates)))})"
+    return f"{rate} ({words.ratio(median(ratios(row.rates, cub.rates)))})"

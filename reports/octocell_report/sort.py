@@ -1,17 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""The JSON of `octocell bench-sort`: read and checked; the same as a table."""
+"""The JSON of `octocell bench-sort`: read, checked, as a frame."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
-from statistics import median
 from typing import Annotated, Any, NamedTuple
 
 import pandas as pd
-from msgspec import Struct
+from msgspec import Struct, structs
 
-from octocell_report.fields import Json, Name, Number, ReportError, Text, Whole, choice, convert
+from octocell_report.fields import Name, Number, ReportError, Text, Whole, choice, convert
 from octocell_report.files import read_json
 from octocell_report.schema import STATUSES, Context
 
@@ -33,17 +31,10 @@ TITLES = {
 }
 
 
-class Sort(NamedTuple):
-    """What is compared: an algorithm and its number of threads (0 on a GPU)."""
-
-    algorithm: str
-    threads: int
-
-
-class SortRow(Struct):
+class Row(Struct):
     name: Name
     algorithm: Name
-    threads: Whole
+    threads: Whole  # 0 on a GPU
     device: Annotated[str, choice("cpu", "gpu")]
     n: Whole
     bits: Whole
@@ -60,43 +51,21 @@ class SortRow(Struct):
         if self.status != "ok" and self.reason is None:
             raise ValueError(f"says {self.status}, but 'reason' is null")
 
-    @property
-    def sort(self) -> Sort:
-        return Sort(self.algorithm, self.threads)
-
-    @property
-    def rates(self) -> tuple[float, ...]:
-        """10^9 pairs a second, one per round."""
-        return tuple(self.n / (ms * 1e6) for ms in self.total_ms)
-
 
 class Document(Struct):
     context: Context
-    rows: list[SortRow]
+    rows: list[Row]
 
 
-@dataclass(frozen=True)
-class SortResult:
-    context: Json
-    rows: list[SortRow]
-
-    @property
-    def sorts(self) -> list[Sort]:
-        return list(dict.fromkeys(row.sort for row in self.rows))
+class SortResult(NamedTuple):
+    context: Context
+    # The fields of the rows, and title (of the algorithm), label (with its threads, if several),
+    # rates (10^9 pairs a second, one per round).
+    frame: pd.DataFrame
 
     def on(self, device: str) -> SortResult:
         """The rows of one device."""
-        return SortResult(self.context, [row for row in self.rows if row.device == device])
-
-    @property
-    def wrong(self) -> list[SortRow]:
-        return [row for row in self.rows if row.status == "wrong"]
-
-    def timed(self, **fixed: Any) -> list[SortRow]:
-        """Rows with a time whose fields are these, ascending by size."""
-        fixed["status"] = "ok"
-        rows = [r for r in self.rows if all(getattr(r, key) == v for key, v in fixed.items())]
-        return sorted(rows, key=lambda r: r.n)
+        return self._replace(frame=self.frame[self.frame["device"] == device])
 
 
 def load(path: Path) -> SortResult:
@@ -111,28 +80,33 @@ def parse(document: Any) -> SortResult:
         raise ReportError(
             f"not a result of bench-sort: kind '{KIND}', schema {SCHEMA} is read here"
         )
-    rows = convert(document, Document).rows
-    names: set[str] = set()
-    for row in rows:
-        if row.name in names:
-            raise ReportError(f"two rows are called {row.name}")
-        names.add(row.name)
-    return SortResult(document["context"], rows)
-
-
-_COLUMNS = ("algorithm", "device", "threads", "n", "bits", "order", "stable", "packed", "status")
-
-
-def frame(result: SortResult) -> pd.DataFrame:
-    """Every row: plain numbers, nothing rounded; no time where the status is not ok."""
-    return pd.DataFrame(
-        {
-            **{column: getattr(row, column) for column in (*_COLUMNS, "reason")},
-            "rounds": len(row.total_ms),
-            "median_ms": median(row.total_ms) if row.total_ms else None,
-            "min_ms": min(row.total_ms, default=None),
-            "max_ms": max(row.total_ms, default=None),
-            "gitems_per_second_median": median(row.rates) if row.rates else None,
-        }
-        for row in result.rows
+    found = convert(document, Document)
+    frame = pd.DataFrame(map(structs.asdict, found.rows), columns=Row.__struct_fields__)
+    twice = frame["name"][frame["name"].duplicated()]
+    if len(twice):
+        raise ReportError(f"two rows are called {twice.iloc[0]}")
+    title = frame["algorithm"].map(TITLES).fillna(frame["algorithm"])
+    several = ", " + frame["threads"].astype(str) + " threads"
+    times = zip(frame["n"], frame["total_ms"], strict=True)
+    frame = frame.assign(
+        title=title,
+        label=title + several.where(frame["threads"] > 1, ""),
+        rates=pd.Series([tuple(n / (t * 1e6) for t in ms) for n, ms in times], dtype=object),
     )
+    return SortResult(found.context, frame)
+
+
+def table(result: SortResult) -> pd.DataFrame:
+    """Every row: plain numbers, nothing rounded; no time where the status is not ok."""
+    times, rates = (
+        result.frame[of].map(list).explode().astype(float) for of in ("total_ms", "rates")
+    )
+    by = times.groupby(level=0)
+    spans = by.agg(["count", "median", "min", "max"])
+    spans.columns = ["rounds", "median_ms", "min_ms", "max_ms"]
+    spans["gitems_per_second_median"] = rates.groupby(level=0).median()
+    columns = [
+        *("algorithm", "device", "threads", "n", "bits", "order", "stable", "packed", "status"),
+        "reason",
+    ]
+    return result.frame[columns].join(spans)

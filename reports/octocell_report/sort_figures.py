@@ -7,7 +7,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 from statistics import median
-from typing import Any
 
 import matplotlib.pyplot as plt
 import pandas as pd
@@ -15,10 +14,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from octocell_report import frames, style, words
-from octocell_report.context import gpu_of
 from octocell_report.files import staged_folder
 from octocell_report.plots import facets
-from octocell_report.sort import ORDERS, TITLES, Sort, SortResult, SortRow, frame
+from octocell_report.sort import ORDERS, SortResult, table
 from octocell_report.style import Look
 
 _COLUMNS, _LINES = 4, 15  # of facets; of text that one is high
@@ -27,25 +25,26 @@ _RATE = "10⁹ pairs a second"
 
 def draw_by_size(result: SortResult) -> Figure | None:
     """One facet per key width that was timed at most sizes, random order; None if nothing was."""
-    rows = _timed(result, order="random")
+    frame = result.frame[result.frame["order"] == "random"]
+    rows = frame[frame["status"] == "ok"]
     sizes = rows.groupby("bits")["n"].transform("nunique")
     rows = rows[(sizes == sizes.max()) | (sizes > 1)]
-    wrong = [row for row in result.wrong if row.order == "random"]
-    return _curves(result, rows, "n", "random order", wrong)
+    return _curves(result, rows, "n", "random order", _wrong(frame))
 
 
 def draw_by_bits(result: SortResult) -> Figure | None:
     """The largest size that was timed at most widths, random order; None if there is but one."""
-    rows = _timed(result, order="random")
+    frame = result.frame[result.frame["order"] == "random"]
+    rows = frame[frame["status"] == "ok"]
     widths = rows.groupby("n")["bits"].transform("nunique")
     size = rows["n"][widths == widths.max()].max()
     rows = rows[(rows["n"] == size) & (widths > 1)].sort_values("bits")
-    wrong = [row for row in result.wrong if (row.n, row.order) == (size, "random")]
+    wrong = _wrong(frame[frame["n"] == size])
     return _curves(result, rows, "bits", "by the width of the key, random order", wrong)
 
 
 def _curves(
-    result: SortResult, rows: pd.DataFrame, across: str, title: str, wrong: list[SortRow]
+    result: SortResult, rows: pd.DataFrame, across: str, title: str, wrong: pd.DataFrame
 ) -> Figure | None:
     """A line per sort; a facet per width over sizes, or per size over widths."""
     if rows.empty:
@@ -57,20 +56,20 @@ def _curves(
     ticks = sorted(set(rows[across]))
     for ax, (value, here) in zip(axes, shown.items(), strict=True):
         for label, look in _looks(result).items():
-            of_sort = here[here["label"] == label]
+            of_sort = here[here["label"] == label].sort_values(across)
             facets.band(ax, of_sort[across], of_sort["rates"], look)
         if across == "n":
             facets.logarithmic(ax, "x", "pairs", ticks, lambda n: _power(round(n)))
         else:
             ax.set(xticks=ticks, xlabel="bits of the key")
         facets.logarithmic(ax, "y", _RATE)
-        _say_wrong(ax, [row for row in wrong if getattr(row, other) == value])
+        _say_wrong(ax, wrong[wrong[other] == value])
     return figure
 
 
 def draw_by_order(result: SortResult) -> Figure | None:
     """The largest size that was timed in several orders, one facet per key width."""
-    rows = _timed(result)
+    rows = result.frame[result.frame["status"] == "ok"]
     rows = rows[rows.groupby(["n", "bits"])["order"].transform("nunique") > 1]
     if rows.empty:
         return None
@@ -82,31 +81,26 @@ def draw_by_order(result: SortResult) -> Figure | None:
     figure, axes = _grid(result, title, [f"{width}-bit keys" for width in bits], len(orders))
     for ax, (width, here) in zip(axes, bits.items(), strict=True):
         _orders(ax, _looks(result), here, orders)
-        _say_wrong(ax, [row for row in result.wrong if (row.bits, row.n) == (width, size)])
+        wrong = _wrong(result.frame)
+        _say_wrong(ax, wrong[(wrong["bits"] == width) & (wrong["n"] == size)])
     return figure
 
 
-def _timed(result: SortResult, **fixed: Any) -> pd.DataFrame:
-    """Rows with a time, ascending by size."""
-    rows = result.timed(**fixed)
-    lines = [(_label(row.sort), row.n, row.bits, row.order, row.rates) for row in rows]
-    return pd.DataFrame(lines, columns=["label", "n", "bits", "order", "rates"])
-
-
-def _label(sort: Sort) -> str:
-    title = TITLES.get(sort.algorithm, sort.algorithm)
-    return f"{title}, {sort.threads} threads" if sort.threads > 1 else title
+def _wrong(rows: pd.DataFrame) -> pd.DataFrame:
+    return rows[rows["status"] == "wrong"]
 
 
 def _looks(result: SortResult) -> dict[str, Look]:
     """One colour and marker per algorithm; several threads are dashed and hollow."""
-    algorithms = list(dict.fromkeys(sort.algorithm for sort in result.sorts))
-    met, found = {row.sort for row in result.timed()}, {}
-    for sort in (sort for sort in result.sorts if sort in met):
-        place, several = algorithms.index(sort.algorithm), sort.threads > 1
-        colour = style.COLOURS[place % len(style.COLOURS)]
-        marker, line = style.MARKERS[place % len(style.MARKERS)], "--" if several else "-"
-        found[_label(sort)] = Look(_label(sort), colour, marker, line, several)
+    sorts, found = result.frame.drop_duplicates("label"), {}
+    timed = set(result.frame[result.frame["status"] == "ok"]["label"])
+    places = pd.factorize(sorts["algorithm"])[0]
+    for place, sort in zip(places, sorts.itertuples(), strict=True):
+        if sort.label in timed:
+            colour = style.COLOURS[place % len(style.COLOURS)]
+            marker, several = style.MARKERS[place % len(style.MARKERS)], sort.threads > 1
+            line = "--" if several else "-"
+            found[sort.label] = Look(sort.label, colour, marker, line, several)
     return found
 
 
@@ -151,38 +145,36 @@ def _power(n: int) -> str:
     return f"2{str(exponent).translate(str.maketrans('0123456789', '⁰¹²³⁴⁵⁶⁷⁸⁹'))}"
 
 
-def _say_wrong(ax: Axes, rows: list[SortRow]) -> None:
+def _say_wrong(ax: Axes, rows: pd.DataFrame) -> None:
     """A wrong answer has no place on the axes; its name stands in red on them."""
-    if rows:
-        sorts = dict.fromkeys(TITLES.get(row.algorithm, row.algorithm) for row in rows)
-        text = "WRONG: " + ", ".join(sorts)
+    if len(rows):
+        text = f"WRONG: {', '.join(rows['title'].unique())}"
         ax.text(0.5, 0.02, text, transform=ax.transAxes, ha="center", color=style.VERMILLION)
 
 
 def _footnote(result: SortResult) -> str:
     """On what it was measured, what is to be known of the times, and what was left out."""
-    context, gpu = result.context, gpu_of(result.context)
-    machine = context["machine"]
-    where = f"{machine['cpu']}, {machine['cores']} cores; {context['compiler']}"
+    context, gpu = result.context, result.context.gpu
+    where = f"{context.machine.cpu}, {context.machine.cores} cores; {context.compiler}"
     how = (
         "all but our radix sort: keys and values packed into 64-bit numbers and unpacked again, "
         "inside the time"
     )
-    if all(row.device == "gpu" for row in result.rows):
+    if (result.frame["device"] == "gpu").all():
         copied = f", copies {words.grouped(gpu.copy_gbps)} GB/s (read and written)" if gpu else ""
         where = f"{gpu.name if gpu else 'a GPU that is not named'}{copied}"
         how = (
             "time on the device, between two events; input restored and answers checked outside; "
             "CUB is told the number of pairs, ours read it on the device"
         )
-    skips: dict[str, dict[str, None]] = {}
-    for row in result.rows:
-        if row.status == "skipped":
-            skips.setdefault(row.reason or "", {})[TITLES.get(row.algorithm, row.algorithm)] = None
-    commit = context["commit"][:12] + (", uncommitted changes" if context["dirty"] else "")
-    unfinished = "" if context["finished"] else "; INTERRUPTED: not all rows were run"
-    left_out = [f"left out: {', '.join(names)}: {reason}" for reason, names in skips.items()]
-    where += f"; commit {commit}; {context['date'][:10]}{unfinished}"
+    skipped = result.frame[result.frame["status"] == "skipped"]
+    left_out = [
+        f"left out: {', '.join(titles.unique())}: {reason}"
+        for reason, titles in skipped.groupby("reason", sort=False)["title"]
+    ]
+    commit = context.commit[:12] + (", uncommitted changes" if context.dirty else "")
+    unfinished = "" if context.finished else "; INTERRUPTED: not all rows were run"
+    where += f"; commit {commit}; {context.date[:10]}{unfinished}"
     return "\n".join([where, how, *left_out])
 
 
@@ -205,5 +197,5 @@ def build(result: SortResult, folder: Path, inputs: Sequence[Path] = ()) -> list
             if figure is not None:
                 figure.savefig(staging / name, dpi=style.DPI)
                 plt.close(figure)
-        frames.save(frame(result), staging / TABLE)
+        frames.save(table(result), staging / TABLE)
         return [name for name in NAMES if (staging / name).exists()]

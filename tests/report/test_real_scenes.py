@@ -10,7 +10,6 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-
 from program import ROOT, module_of
 
 ROW = re.compile(r'\{"(\w+)",\s*"data/real/(\w+)\.npy",\s*([\d\']+),')

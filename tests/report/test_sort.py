@@ -84,7 +84,7 @@ def test_figures_and_a_table_of_every_row(save, tmp_path: Path, capsys):
 
 
 def test_numbers_of_the_table():
-    frame = sort.frame(sort.parse(document(row())))
+    frame = sort.table(sort.parse(document(row())))
     assert frame.loc[0, ["median_ms", "min_ms", "max_ms", "rounds"]].tolist() == [2.0, 1.0, 4.0, 3]
     assert frame.gitems_per_second_median[0] == pytest.approx(4096 / 2e6)
 
