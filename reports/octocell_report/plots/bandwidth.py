@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import pandas as pd
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -17,9 +17,9 @@ from octocell_report.load import STAGES, Result
 from octocell_report.plots import facets
 from octocell_report.style import Look
 
-_COLUMNS = 2
 _COPY: dict[str, Any] = {"color": style.INK, "linewidth": 1.4, "linestyle": (0, (5, 2))}
 _LINES = 14  # of text that a facet over sizes is high
+_UNIT = "10⁹ bytes a second"
 
 
 def draw(result: Result, looks: dict[str, Look]) -> Figure | None:
@@ -29,32 +29,71 @@ def draw(result: Result, looks: dict[str, Look]) -> Figure | None:
     if rates.empty:
         return None
     rates = rates.assign(at=rates["scene"].map(result.scenes.index)).sort_values(["at", "order"])
-    places = dict(list(rates.groupby("at")))
-    labels = rates.sort_values("order")["label"].unique()
-    figure, axes = facets.grid(
-        _title("Bandwidth at each scene's largest size, warm", rates),
-        [f"{here['scene'].iloc[0]} {words.size(here['n'].iloc[0])}" for here in places.values()],
-        [here["stage"].nunique() for here in places.values()],
-        max(here["label"].nunique() for here in places.values()) + 0.2,
-        _COLUMNS,
-        key=_key(result, [Patch(color=looks[at].colour, label=looks[at].label) for at in labels]),
-    )
+    places = {f"{s} {words.size(n)}": r for (_, s, n), r in rates.groupby(["at", "scene", "n"])}
+    shown = [looks[label] for label in looks if (rates["label"] == label).any()]
+    title, each = "Bandwidth at each scene's largest size, warm", rates["backend"].nunique() + 0.2
+    heights = [here["stage"].nunique() for here in places.values()]
+    key = [Patch(color=look.colour, label=look.label) for look in shown]
+    figure, axes = _grid(result, title, rates, list(places), heights, each, key)
     for ax, here in zip(axes, places.values(), strict=True):
         _bars(ax, result, here, looks)
     return figure
 
 
+def draw_by_size(result: Result, looks: dict[str, Look]) -> Figure | None:
+    """The plain scene over all sizes: a line per stage, a facet per run and implementation that is
+    the fastest of its backend at the largest size."""
+    rates = _rates(result)
+    rates = rates[rates["scene"] == bandwidth.SCENE].sort_values(["order", "n"], kind="stable")
+    best = facets.at_largest(rates[(rates["run"] == "warm") & rates["best"]])["label"].unique()
+    shown = {
+        f"{looks[label].label}, {run}": here
+        for label in best
+        for run in bandwidth.RUNS
+        if (here := rates[(rates["label"] == label) & (rates["run"] == run)])["n"].nunique() > 1
+    }
+    if not shown:
+        return None
+    every = pd.concat(shown.values())
+    title = f"Bandwidth over the sizes of {bandwidth.SCENE}; cold_cache: the cache holds none of it"
+    key = [_look(stage).entry for stage in _stages(every)]
+    lines = [_LINES] * len(shown)
+    figure, axes = _grid(result, title, every, list(shown), lines, 1, key, sharey=True)
+    for ax, here in zip(axes, shown.values(), strict=True):
+        _curves(ax, result, here)
+    return figure
+
+
 def _rates(result: Result) -> pd.DataFrame:
-    """Those that can be told, of rows in which a stage can."""
+    """Those that are known, of rows in which one of a stage is."""
     rates = bandwidth.frame(result)
     rates = rates[rates["gbps"].notna()]
-    told = rates["row"][rates["stage"] != bandwidth.ALL]
-    return rates[rates["row"].isin(told)]
+    return rates[rates["row"].isin(rates["row"][rates["stage"] != bandwidth.ALL])]
 
 
 def _stages(rates: pd.DataFrame) -> list[str]:
     """In the order in which they run; all of them last."""
     return sorted(rates["stage"].unique(), key=lambda s: (*STAGES, s, bandwidth.ALL).index(s))
+
+
+def _grid(
+    result: Result,
+    title: str,
+    rates: pd.DataFrame,
+    names: list[str],
+    rows: Sequence[float],
+    each: float,
+    key: list[Any],
+    **options: Any,
+) -> tuple[Figure, list[Axes]]:
+    title += "\nthe least bytes that a stage must read and write, by its time"
+    if rates["tiny"].any():
+        title += f"; hollow: copying so few takes less than {bandwidth.LAUNCH_US:g} µs"
+    if result.gpu:
+        copied = words.grouped(result.gpu.copy_gbps)
+        label = f"copy on this {result.gpu.name}: {copied} GB/s (read and written)"
+        key = [*key, Line2D([], [], label=label, **_COPY)]
+    return facets.grid(title, names, rows, each, columns=2, key=key, **options)
 
 
 def _bars(ax: Axes, result: Result, rates: pd.DataFrame, looks: dict[str, Look]) -> None:
@@ -68,48 +107,17 @@ def _bars(ax: Axes, result: Result, rates: pd.DataFrame, looks: dict[str, Look])
         ax.barh(y, rate.gbps, 0.86 * height, facecolor=face, edgecolor=colour, linewidth=0.9)
         box = {"facecolor": "white", "edgecolor": "none", "pad": 0.4}
         facets.beside(ax, rate.gbps, y, _said(rate), color=ink, bbox=box)
-    longest = rates["gbps"].max()
     if result.gpu:
         ax.axvline(result.gpu.copy_gbps, **_COPY)
-        longest = max(longest, result.gpu.copy_gbps)
-    ax.set_xlim(0, 1.36 * longest)
-    facets.linear(ax, "10⁹ bytes a second")
+    ax.set_xlim(0, 1.36 * max(rates["gbps"].max(), result.gpu.copy_gbps if result.gpu else 0.0))
+    facets.linear(ax, _UNIT)
 
 
 def _said(rate: Any) -> str:
     text = words.number(rate.gbps)
-    if rate.share == rate.share:  # there was a copy to hold it against
+    if not pd.isna(rate.share):
         text += f" · {words.percent(100 * rate.share)} %"
     return f"{text} · only {words.count(rate.least_bytes)} bytes" if rate.tiny else text
-
-
-def draw_by_size(result: Result, looks: dict[str, Look]) -> Figure | None:
-    """The plain scene over all sizes: a facet per implementation that is the fastest of its backend
-    at the largest size, and run; a line per stage."""
-    rates = _rates(result)
-    rates = rates[rates["scene"] == bandwidth.SCENE].sort_values(["order", "n"], kind="stable")
-    best = facets.at_largest(rates[(rates["run"] == "warm") & rates["best"]])["label"].unique()
-    shown = {
-        f"{looks[label].label}, {run}": here
-        for label in best
-        for run in bandwidth.RUNS
-        if (here := rates.query("label == @label and run == @run"))["n"].nunique() > 1
-    }
-    if not shown:
-        return None
-    title = f"Bandwidth over the sizes of {bandwidth.SCENE}; cold_cache: the cache holds none of it"
-    every = pd.concat(shown.values())
-    figure, axes = facets.grid(
-        _title(title, every),
-        list(shown),
-        [_LINES] * len(shown),
-        columns=_COLUMNS,
-        key=_key(result, [_look(stage).entry for stage in _stages(every)]),
-        sharey=True,
-    )
-    for ax, here in zip(axes, shown.values(), strict=True):
-        _curves(ax, result, here)
-    return figure
 
 
 def _look(stage: str) -> Look:
@@ -127,19 +135,4 @@ def _curves(ax: Axes, result: Result, rates: pd.DataFrame) -> None:
     if result.gpu:
         ax.axhline(result.gpu.copy_gbps, **_COPY)
     facets.logarithmic(ax, "x", "spheres", sorted(set(rates["n"])), lambda n: words.size(round(n)))
-    facets.logarithmic(ax, "y", "10⁹ bytes a second")
-
-
-def _title(title: str, rates: pd.DataFrame) -> str:
-    title += "\nthe least bytes that a stage must read and write, by its time"
-    if rates["tiny"].any():
-        title += f"; hollow: copying so few takes less than {bandwidth.LAUNCH_US:g} µs"
-    return title
-
-
-def _key(result: Result, entries: list[Any]) -> list[Artist]:
-    if result.gpu is None:
-        return entries
-    copied = words.grouped(result.gpu.copy_gbps)
-    label = f"copy on this {result.gpu.name}: {copied} GB/s (read and written)"
-    return [*entries, Line2D([], [], label=label, **_COPY)]
+    facets.logarithmic(ax, "y", _UNIT)
