@@ -41,10 +41,7 @@ def draw(result: Result, looks: dict[str, Look]) -> Figure | None:
         "Time per frame of moving scenes: move, follow or rebuild, find all pairs\n"
         "lines: median of the rounds; bands: fastest to slowest round; on grey, hollow: warm-up",
         list(lines),
-        [
-            max(_LEAST, len(here) + sum(line[2] is not None for line in here))
-            for here in lines.values()
-        ],
+        [max(_LEAST, sum(2 if line[2] else 1 for line in here)) for here in lines.values()],
     )
     for ax, here in zip(axes, lines.values(), strict=True):
         _facet(ax, here)
@@ -66,9 +63,7 @@ def _facet(ax: Axes, lines: list[Line]) -> None:
     ax.xaxis.set_major_locator(MaxNLocator(12, integer=True))
     ax.set_xlabel("frame")
     facets.logarithmic(ax, "y", "time [ms]")
-    ax.legend(
-        loc="center left", bbox_to_anchor=(1.005, 0.5), title="steady median", alignment="left"
-    )
+    facets.legend(ax, title="steady median", alignment="left")
 
 
 def _frames(ax: Axes, look: Look, row: Any) -> None:

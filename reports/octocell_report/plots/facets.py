@@ -134,6 +134,11 @@ def band(
     ax.plot(xs, list(map(median, rounds)), **look.shape | more)
 
 
+def legend(ax: Axes, **look: Any) -> None:
+    """Right of the facet."""
+    ax.legend(loc="center left", bbox_to_anchor=(1.005, 0.5), **look)
+
+
 def interval(ax: Axes, y: float, low: float, middle: float, high: float, look: Look) -> None:
     """A mark on a line across."""
     ax.plot([low, high], [y, y], color=look.colour, solid_capstyle="butt")

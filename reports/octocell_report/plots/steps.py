@@ -32,30 +32,23 @@ def draw(result: Result) -> Figure | None:
     if steps.empty:
         return None
     studies = dict(list(steps.groupby(["backend", "title"], sort=False)))
+    several = steps["backend"].nunique() > 1
+    met = {*_KINDS} - {"joint"} | {*steps["kind"]}
     figure, axes = facets.grid(
         "Skips allowed one after the other, from none to all: median time, all in the same rounds\n"
         "beside a bar: what the step changes, where it is beyond the noise and "
         f"{100 * WORTH_TELLING:.0f} % of the start; grey name: the plan of that step does not take "
         "it",
-        _titles(list(studies)),
+        [f"{backend}\n{title}" if several else title for backend, title in studies],
         [len(here) + 2 for here in studies.values()],
         0.94,
         _COLUMNS,
-        [
-            Patch(color=f, label=t)
-            for k, (f, t) in _KINDS.items()
-            if k != "joint" or k in set(steps["kind"])
-        ],
+        [Patch(color=fill, label=text) for kind, (fill, text) in _KINDS.items() if kind in met],
         key_columns=6,
     )
     for ax, here in zip(axes, studies.values(), strict=True):
         _facet(ax, list(here.itertuples()))
     return figure
-
-
-def _titles(studies: list[tuple[str, str]]) -> list[str]:
-    several = len({backend for backend, _ in studies}) > 1
-    return [f"{backend}\n{title}" if several else title for backend, title in studies]
 
 
 def _facet(ax: Axes, steps: list[Any]) -> None:

@@ -56,7 +56,7 @@ def _facet(ax: Axes, rows: pd.DataFrame, looks: dict[str, Look]) -> None:
         _hollow(ax, here, looks[label])
     facets.logarithmic(ax, "x", "spheres", sizes, lambda n: words.size(round(n)))
     facets.logarithmic(ax, "y", "time [ms]")
-    ax.legend(loc="center left", bbox_to_anchor=(1.005, 0.5), handlelength=3)
+    facets.legend(ax, handlelength=3)
 
 
 def _power_law(rows: pd.DataFrame) -> Any:
