@@ -28,6 +28,7 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT / "reports"), str(ROOT / "scripts")]
 
 from fetch_data import DOWNLOAD_SECONDS, Unavailable  # noqa: E402
+
 from octocell_report.console import Parser, run  # noqa: E402
 from octocell_report.fields import printable  # noqa: E402
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The one list of formats: which suffix means which reader."""
 
+from argparse import Namespace
 from collections.abc import Iterator
 from importlib import import_module
 from pathlib import Path
@@ -8,12 +9,16 @@ from pathlib import Path
 from octocell_import import InputError
 from octocell_import.frame import Frame
 from octocell_import.octocell import frames_by_octocell
-from octocell_import.text import DAMAGED, PACKED, File, open_bytes
+from octocell_import.text import DAMAGED, PACKED, File
 
-OCTOCELL = "octocell"
+# octocell reads these itself, and so for this program, too: each format has one reader.
+OCTOCELL = {
+    "npy": [".npy"],
+    "table": [".csv", ".tsv", ".txt", ".dat", ".xyzr", ".spheres"],
+    "pqr": [".pqr"],
+}
 # A format's reader is `read` in the module of its name, which is loaded when it is wanted.
-FORMATS = {
-    OCTOCELL: [".pqr", ".npy", ".csv", ".tsv", ".txt", ".dat", ".xyzr", ".spheres"],
+FORMATS = OCTOCELL | {
     "gro": [".gro"],
     "lammps-data": [".data", ".lmp", ".lammps"],
     "lammps-dump": [".dump", ".lammpstrj"],
@@ -31,17 +36,22 @@ _ELSEWHERE = {
 }
 
 
-def frames(path: Path, name: str, **options: str) -> Iterator[Frame]:
+def frames(path: Path, options: Namespace) -> Iterator[Frame]:
     """Gives frames, read as they are asked for. Throws InputError."""
-    if name == OCTOCELL:
-        yield from frames_by_octocell(path)
+    name = options.format or format_of(path)
+    style = {} if options.atom_style is None else {"atom_style": options.atom_style}
+    if style and name != "lammps-data":
+        raise InputError(f"{path}: --atom-style is for LAMMPS data files, this is {name}")
+    if name in OCTOCELL:
+        yield from frames_by_octocell(path, name, options)
         return
     module, _, part = name.partition("-")
     reader = import_module(f"octocell_import.{module}")
     read = getattr(reader, f"read_{part}" if part else "read")
+    is_stdin = str(path) == "-"
     try:
-        with open_bytes(path) as raw:
-            yield from read(File(raw, path.suffix), **options)
+        with open(0 if is_stdin else path, "rb", closefd=not is_stdin) as raw:
+            yield from read(File(raw, path.suffix), **style)
     except DAMAGED as error:
         why = getattr(error, "strerror", None) or error
         raise InputError(f"{path}: cannot be read: {why}") from error

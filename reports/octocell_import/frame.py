@@ -11,6 +11,7 @@ from octocell_import.decimals import Column, Floats, NotAFloat, to_float32
 
 Kind = tuple[str, str | None]  # the atom's name or type, as in the file, and its element
 KNOWN = ("x", "y", "z", "radius", "diameter", "kind", "line")
+_OF_POINTS = ("x", "y", "z", "radius", "diameter")
 _CHUNK = 50_000  # atoms, whose words take a few megabytes
 NO_ALTLOC = (b"", b" ", b".", b"?")
 EXPONENTS = {"angstrom": 0, "nm": 1}  # what a unit of length is in Angstrom, as a power of ten
@@ -48,21 +49,22 @@ class Frame:
             raise InputError(f"{self.place(error.index)}: {name}: {error}") from error
 
 
-def points(columns: dict[str, Column]) -> Frame:
+def points(columns: dict[str, Column], lines: Column | None = None) -> Frame:
     """Returns points of no unit, whose columns may be in capitals or have CloudCompare's prefix."""
     known: dict[str, Column] = {}
     for name, column in columns.items():
         meant = name.lower().removeprefix("scalar_")
-        if meant in known and meant in KNOWN:
+        if meant in known:
             raise InputError(f"two columns are called {meant}, one of them {quote(name)}")
-        known[meant] = column
-    for name in "xyz":
+        if meant in _OF_POINTS:
+            known[meant] = column
+    for name in _OF_POINTS[:3]:
         if name not in known:
             raise InputError(f"the vertices have no number {name}")
-    for name in known.keys() & {"radius", "diameter"}:
-        if len(known[name]) != len(known["x"]):
-            raise InputError(f"{len(known['x'])} points, but {len(known[name])} times {name}")
-    return Frame({name: known[name] for name in KNOWN if name in known})
+    for name, column in known.items():
+        if len(column) != len(known["x"]):
+            raise InputError(f"{len(known['x'])} points, but {len(column)} times {name}")
+    return Frame(known if lines is None else known | {"line": lines})
 
 
 def encode(*columns: Column) -> tuple[Column, list[list[str]]]:
@@ -70,8 +72,10 @@ def encode(*columns: Column) -> tuple[Column, list[list[str]]]:
     codes: dict[tuple[bytes, ...], int] = {}
     parts: list[Column] = [np.empty(0, np.int32)]
     for start in range(0, len(columns[0]), _CHUNK):
-        atoms = zip(*(c[start : start + _CHUNK].tolist() for c in columns), strict=True)
-        parts.append(np.fromiter((codes.setdefault(a, len(codes)) for a in atoms), np.int32))
+        atoms = list(zip(*(c[start : start + _CHUNK].tolist() for c in columns), strict=True))
+        for atom in dict.fromkeys(atoms):
+            codes.setdefault(atom, len(codes))
+        parts.append(np.fromiter(map(codes.__getitem__, atoms), np.int32))
     texts = [[word.decode("utf-8", "replace") for word in words] for words in codes]
     return np.concatenate(parts), texts
 

@@ -32,7 +32,7 @@ def read(file: File) -> Iterator[Frame]:
 
 
 def _frame(file: File, count: int) -> Frame:
-    cards, width, lines = bytearray(), 0, np.arange(count) + file.number + 1
+    cards, width, before = bytearray(), 0, file.number
     for atom in range(count):
         line = file.line() or file.line(f"atom {atom + 1} of {count}")
         width = width or _width(file, line)
@@ -44,11 +44,11 @@ def _frame(file: File, count: int) -> Frame:
         if (points != points[:1]).any():
             first = int((points != points[0]).argmax())
             why = f"{quote(columns[name][first])} is not a number with its point as above"
-            file.refuse(f"{name}: {why}", lines[first])
+            file.refuse(f"{name}: {why}", before + 1 + first)
     box = file.line(f"the box that follows {count} atoms")
     if _BOX.fullmatch(box) is None:
         file.refuse(f"after {count} atoms the box (3 or 9 numbers) was expected: {quote(box)}")
-    columns["line"] = lines
+    columns["line"] = np.arange(count) + before + 1
     columns["kind"], texts = encode(columns["label"], columns["residue"])
     kinds = [(name.strip(), element_of(name, residue)) for name, residue in texts]
     return Frame(columns, "nm", kinds, "atom and residue names")

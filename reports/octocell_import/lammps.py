@@ -27,11 +27,10 @@ STYLES = {
     "bpm/sphere": "id mol type diameter density x y z",
     "dipole": "id type q x y z mux muy muz",
     "electron": "id type q spin eradius x y z",
-    "template": "id type mol index atom x y z",
 }
 _GUESSES = {False: {5: "atomic", 8: "atomic"}}  # by the number of columns; True: there are bonds
 _GUESSES[True] = _GUESSES[False] | {6: "molecular", 7: "full", 9: "molecular", 10: "full"}
-_WHOLE = {"id", "mol", "spin", "index", "atom", "nx", "ny", "nz"}
+_WHOLE = {"id", "mol", "spin", "nx", "ny", "nz"}
 _ADVICE = f"give --atom-style: {', '.join(STYLES)}, or the columns' names: 'id type x y z radius'"
 _INTEGER = re.compile(rb"[-+]?\d+")
 _SECTION = re.compile(r"[A-Za-z][A-Za-z/_ ]*")
@@ -93,17 +92,18 @@ def _atoms(
         names, how = style.split(), "as given"
     elif not names and (given or len(style.split()) == 1 or style.startswith("hybrid")):
         file.refuse(f"atom style {quote(style)} is not known; {_ADVICE}", first - 2)
-    columns = file.words(counts["atoms"], names, least=5, more=3 * bool(names), comment=b"#")
+    more = 3 * bool(names)  # image flags
+    columns, lines = file.words(counts["atoms"], names, least=5, more=more, comment=b"#")
     if not names:  # Atoms # some remark: LAMMPS takes that for a style, but people write it
-        lines, words, has_bonds = columns.pop("line"), list(columns.values()), counts.get("bonds")
+        words, has_bonds = list(columns.values()), counts.get("bonds")
         names = STYLES.get(_GUESSES[bool(has_bonds)].get(len(words), ""), "").split()
         styles = [s.split() for s in STYLES.values() if "mol" in s or not has_bonds]
         fitting = [s for s in styles if _fits(s, words, counts.get("atom types", 0), labels)]
         if not fitting or any(style != names for style in fitting):
             file.refuse(f"{len(words)} columns and no atom style in the file; {_ADVICE}", first)
-        columns = dict(zip(names, words, strict=False)) | {"line": lines}
+        columns = dict(zip(names, words, strict=False))
         how = "no other style that is known here fits"
-    return columns, f"columns    {' '.join(names)} ({how})"
+    return columns | {"line": lines}, f"columns    {' '.join(names)} ({how})"
 
 
 def _fits(names: list[str], words: list[Column], types: int, labels: set[bytes]) -> bool:
@@ -147,16 +147,16 @@ def _dumped(file: File, said: dict[str, list[str]], names: list[str]) -> Frame:
     if "NUMBER OF ATOMS" not in said:
         file.refuse("ITEM: ATOMS without an ITEM: NUMBER OF ATOMS before it")
     own = [name if names.index(name) == k else f"{name} {k}" for k, name in enumerate(names)]
-    columns = file.words(int(said["NUMBER OF ATOMS"][1]), own)
+    columns, lines = file.words(int(said["NUMBER OF ATOMS"][1]), own)
     for name, used in zip(names, own, strict=True):  # LIGGGHTS writes the type twice
         if (columns[name] != columns[used]).any():
             file.refuse(f"two columns are called {name}, and differ", title)
     about = f"columns    {' '.join(xyz)}"
     places = [columns[name] for name in xyz]
     if "s" in xyz[0]:
-        places = _unscaled(file, said.get("BOX BOUNDS"), places, columns["line"], title)
+        places = _unscaled(file, said.get("BOX BOUNDS"), places, lines, title)
         about += ", scaled to the box in float64"
-    columns |= dict(zip("xyz", places, strict=True))
+    columns |= dict(zip("xyz", places, strict=True)) | {"line": lines}
     unit = said.get("UNITS", ["", ""])[1]
     if "element" in names:
         return _frame(file, columns, "element", symbol, "the column element", unit, about)
@@ -171,11 +171,12 @@ def _unscaled(
         file.refuse("scaled coordinates without ITEM: BOX BOUNDS", title)
     try:
         scaled = [to_float64(column) for column in words]
-        rows = np.array([line.split() for line in box[1:]], float)
     except NotAFloat as error:
         file.refuse(str(error), lines[error.index])
-    except ValueError:
-        rows = np.empty((0, 0))
+    try:
+        rows = np.array([to_float64(np.array(line.encode().split(), "S")) for line in box[1:]])
+    except (NotAFloat, ValueError):  # the lines may also differ in length
+        rows = np.empty(0)
     if rows.shape not in ((3, 2), (3, 3), (3, 4)):
         file.refuse(f"box bounds are not numbers: {quote(' / '.join(box[1:]))}", title)
     if rows.shape == (3, 4):  # the edges, one a line, each with a coordinate of the origin
@@ -188,8 +189,8 @@ def _unscaled(
         edges[[1, 2, 2], [0, 0, 1]] = xy, xz, yz
         origin = ends[:, 0]
     with np.errstate(all="ignore"):  # what is not finite is refused with its line
-        moved = [sum(scaled[i] * edges[i, k] for i in range(3) if edges[i, k]) for k in range(3)]
-        return [np.asarray(origin[k] + moved[k]) for k in range(3)]
+        moved = [sum(scaled[i] * edges[i, k] for i in range(3)) for k in range(3)]
+        return [origin[k] + moved[k] for k in range(3)]
 
 
 def _frame(

@@ -10,15 +10,16 @@ from collections.abc import Iterator
 import gemmi
 import numpy as np
 
-from octocell_import import InputError
+from octocell_import import InputError, quote
 from octocell_import.decimals import Column
 from octocell_import.elements import element_of
 from octocell_import.frame import Frame
 from octocell_import.pdb import molecule
 from octocell_import.text import File, as_column
 
-_PREFIX = "_atom_site."
-_END = re.compile(rb"\s*(#|_|loop_|data_|save_|global_)", re.IGNORECASE)
+_PREFIX = b"_atom_site."
+_END = re.compile(rb"^;.*?\n;|^\s*(_|loop_|data_|save_|global_)", re.I | re.M | re.S)
+_EMPTY = re.compile(rb"\s*(#|$)")
 _CHUNK = 20_000  # lines
 # Of two names the first that the file has.
 _TAGS = {"x": ["Cartn_x"], "y": ["Cartn_y"], "z": ["Cartn_z"], "written": ["type_symbol"]}
@@ -28,62 +29,76 @@ _TAGS |= {"altloc": ["label_alt_id"], "model": ["pdbx_PDB_model_num"]}
 
 
 def read(file: File) -> Iterator[Frame]:
-    found = False
+    found, is_text, before = False, False, b""
     for line in file:
-        if line.strip().lower().startswith(_PREFIX.encode()):
-            columns, found = _read_loop(file, line), True
+        is_text ^= line.startswith(b";")
+        if not is_text and line.strip().lower().startswith(_PREFIX):
+            columns, found = _read_loop(file, line, before.strip().lower() == b"loop_"), True
+            for tag in file.some(1):
+                if tag.strip().lower().startswith(_PREFIX):
+                    file.refuse("_atom_site goes on behind its loop")
+                file.give_back([tag])
             models = columns.pop("model", np.zeros(len(columns["x"]), "S1"))
             for first in sorted(np.unique(models, return_index=True)[1].tolist()):
                 of_model = models == models[first]
                 atoms = {name: column[of_model] for name, column in columns.items()}
                 yield molecule(atoms, "type_symbol", element_of, models[first].decode())
+        elif not is_text and line.startswith((b"ATOM ", b"HETATM ")):
+            file.refuse(f"an atom outside of the loop _atom_site: {quote(line)}")
+        before = before if _EMPTY.match(line) else line
     if not found:
         raise InputError("no loop of _atom_site")
 
 
-def _read_loop(file: File, line: bytes) -> dict[str, Column]:
+def _read_loop(file: File, line: bytes, is_loop: bool) -> dict[str, Column]:
     """The columns of interest; `line` is the first that names one."""
-    names, rows, pieces, limit, is_text = [], [], [], _CHUNK, False
-    while line.strip().lower().startswith(_PREFIX.encode()):
-        names.append(line)
+    tags, pieces, rows, size = [], [], [], _CHUNK
+    while line and (line.strip().lower().startswith(_PREFIX) or _EMPTY.match(line)):
+        tags.append(line)
         line = file.line()
-    head = [b"data_x\n", b"loop_\n" * (len(names[0].split()) == 1), *names]  # one atom: no loop
-    while line and (is_text or line[:1] in b"AH" or not _END.match(line)):
-        is_text ^= line.startswith(b";")
-        rows.append(line)
-        if len(rows) >= limit:
-            try:
-                pieces.append(_parse(head, rows, file.number - len(rows)))
-                rows, limit = [], _CHUNK
-            except InputError:  # it may end within a row, which may have several lines
-                limit *= 2
-        line = file.line()
-    if rows or not pieces:
-        pieces.append(_parse(head, rows, file.number - len(rows) - bool(line)))
+    file.give_back([line] * bool(line))
+    head = b"data_x\n" + b"loop_\n" * is_loop + b"".join(tags)
+    while more := file.some(size):
+        rows += more
+        text = b"".join(rows)
+        end = next((text.count(b"\n", 0, m.start()) for m in _END.finditer(text) if m[1]), None)
+        if end is not None:
+            file.give_back(rows[end:])
+            rows = rows[:end]
+            break
+        try:
+            pieces.append(_parse(head, rows, file.number))
+            rows, size = [], _CHUNK
+        except InputError:  # they may end within a row, which may have several lines
+            size *= 2
+    if not all(map(_EMPTY.match, rows)) or not pieces:
+        pieces.append(_parse(head, rows, file.number))
     return {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
 
 
-def _parse(head: list[bytes], rows: list[bytes], before: int) -> dict[str, Column]:
-    """`before` is the number of the line before the rows."""
+def _parse(head: bytes, rows: list[bytes], last: int) -> dict[str, Column]:
+    """`last` is the number of the last row's line."""
+    columns, before = {}, last - len(rows)
     try:
-        block = gemmi.cif.read_string(b"".join(head + rows)).sole_block()
+        block = gemmi.cif.read_string(head + b"".join(rows)).sole_block()
+        for name, tags in _TAGS.items():
+            found = [v for tag in tags if len(v := block.find_values("_atom_site." + tag))]
+            if found:
+                columns[name] = _column(list(found[0]))
     except (ValueError, RuntimeError) as error:
         where = re.match(r"data:(\d+)", str(error))
-        line = before + int(where[1] if where else 0) - b"".join(head).count(b"\n")
-        why = str(error).rpartition(": ")[2]
-        raise InputError(f"line {line}: gemmi says: {why}") from error
-    columns = {}
-    for name, tags in _TAGS.items():
-        found = [values for tag in tags if len(values := block.find_values(_PREFIX + tag))]
-        if found:
-            columns[name] = _column(list(found[0]))
-        elif name in "xyz":
+        row = int(where[1]) - head.count(b"\n") if where else 1
+        line = before + min(max(row, 1), len(rows))
+        raise InputError(f"line {line}: gemmi says: {str(error).rpartition(': ')[2]}") from error
+    for name in "xyz":
+        if name not in columns:
             raise InputError(f"line {before}: _atom_site has no Cartn_{name}")
     if len(set(map(len, columns.values()))) > 1:
         raise InputError(f"line {before + 1}: a value of _atom_site has several lines")
-    if len(rows) == len(columns["x"]):
-        columns["line"] = np.arange(len(rows)) + before + 1
-    return columns
+    lines = [before + k for k, row in enumerate(rows, 1) if not _EMPTY.match(row)]
+    if len(lines) != len(columns["x"]):  # rows may have several lines
+        lines = [before + 1] * len(columns["x"])
+    return columns | {"line": np.array(lines)}
 
 
 def _column(values: list[str]) -> Column:

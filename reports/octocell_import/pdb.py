@@ -26,11 +26,12 @@ _NO_ATOMS = (b"REMARK", b"USER", b"SIGATM", b"ANISOU", b"SIGUIJ")  # may have po
 def read(file: File) -> Iterator[Frame]:
     cards, lines, model, found = bytearray(), array("q"), "", False
     for line in file:
-        record = line[:6].strip()
         if line.startswith((b"ATOM", b"HETATM")):
             cards += card(file, line, 54, _WIDTH)
             lines.append(file.number)
-        elif record in (b"MODEL", b"ENDMDL", b"END"):
+            continue
+        record = line[:6].strip()
+        if record in (b"MODEL", b"ENDMDL", b"END"):
             if lines or model:
                 frame = _frame(file, cards, lines, model)
                 cards, lines, found = bytearray(), array("q"), True
@@ -58,7 +59,9 @@ def molecule(
     columns: dict[str, Column], source: str, by_name: Callable[[str, str], str | None], model: str
 ) -> Frame:
     """Returns atoms whose element is written, or else that of their names; says if they differ."""
-    columns["kind"], texts = encode(columns["label"], columns["residue"], columns["written"])
+    nothing = np.full(len(columns["x"]), b"")
+    words = [columns.get(name, nothing) for name in ("label", "residue", "written")]
+    columns["kind"], texts = encode(*words)
     counts = np.bincount(columns["kind"], minlength=len(texts))
     kinds, unsaid, differ = [], 0, 0
     for (name, residue, written), count in zip(texts, counts.tolist(), strict=True):

@@ -17,8 +17,8 @@ from octocell_import.text import File, as_column
 
 _TEXT = "text"
 _ORDERS = {"ascii": _TEXT, "binary_little_endian": "<", "binary_big_endian": ">"}
-_TYPES = {"char": "", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I"}
-_TYPES |= {"float": "f", "double": "d", "float32": "f", "float64": "d", "int8": ""}
+_TYPES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I"}
+_TYPES |= {"float": "f", "double": "d", "float32": "f", "float64": "d", "int8": "b"}
 _TYPES |= {"uint8": "B", "int16": "h", "uint16": "H", "int32": "i", "uint32": "I"}
 _Property = tuple[str, str, str]  # name, type, and of a list the type of its length
 _Elements = dict[str, tuple[int, list[_Property]]]  # name: how many, and of what
@@ -33,13 +33,13 @@ def read(file: File) -> Iterator[Frame]:
     columns = {name: _rows(file, name, *elements[name], order) for name in elements}
     if file.filled():
         file.refuse("more follows than the header says")
-    yield points(columns["vertex"])
+    yield points(*columns["vertex"])
 
 
 def _header(file: File) -> tuple[str, _Elements]:
     order, elements, name = "", _Elements(), ""
     while (line := file.line("end_header")).strip() != b"end_header":
-        match line.decode("ascii", "replace").split():
+        match [word.decode("ascii", "replace") for word in line.split()]:
             case _ if line[:1] == b"\r":
                 file.refuse("no sound PLY: lines end in LF and CR")
             case ["format", form, "1.0"] if form in _ORDERS:
@@ -62,15 +62,15 @@ def _header(file: File) -> tuple[str, _Elements]:
 
 def _rows(
     file: File, name: str, count: int, properties: list[_Property], order: str
-) -> dict[str, Column]:
-    """The columns of an element's rows."""
+) -> tuple[dict[str, Column], Column | None]:
+    """The columns of an element's rows, and their lines."""
     names = [own for own, _, length in properties if not length]
-    if order == _TEXT and len(names) == len(properties):
+    if order == _TEXT and len(names) == len(properties) > 0:
         return file.words(count, names)
-    if len(names) == len(properties):
+    if len(names) == len(properties) > 0:
         kind = np.dtype([(own, order + code) for own, code, _ in properties])
         rows = np.frombuffer(file.take(count * kind.itemsize, f"element {name}"), kind)
-        return {own: rows[own] for own in names}
+        return {own: rows[own] for own in names}, None
     values: dict[str, list[Any]] = {own: [] for own in names}
     row: list[bytes] = []  # words that are left, the last one first
 
@@ -92,4 +92,5 @@ def _rows(
             file.refuse(f"row {k + 1} of {count} of element {name} has too few numbers")
         if row:
             file.refuse(f"row {k + 1} of {count} of element {name} has too many numbers")
-    return {own: as_column(v) if order == _TEXT else np.array(v) for own, v in values.items()}
+    columns = {own: as_column(v) if order == _TEXT else np.array(v) for own, v in values.items()}
+    return columns, None

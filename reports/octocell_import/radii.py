@@ -3,28 +3,23 @@
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from octocell_import import InputError, quote
 from octocell_import.decimals import Column, Floats, to_float32
 from octocell_import.elements import RADII
-from octocell_import.frame import Frame, Kind
+from octocell_import.frame import Frame
 
 _MOST_NAMES = 12  # in what is printed
+# The file's columns by what --radii says; what may be something else only if it is asked for.
+_SOURCES = {None: ["radius", "diameter"], "file": ["radius", "diameter", "fifth"], "element": []}
+_NO_UNIT = "its unit of length is not known, radii by element are: give --radius R"
+_NO_NAMES = "it has no radii and no elements: give --radius R, or --topology FILE"
 
 
-@dataclass(frozen=True)
-class Given:
-    """What --radius and --radii said; lengths in the unit that is written."""
-
-    by_name: dict[str, str]  # element, or the file's own name; "" is all others
-    source: str | None = None  # "file", "element" or None: the best there is
-
-
-def given(options: Sequence[str], source: str | None) -> Given:
-    """Each option is R, or NAME=R. Throws InputError."""
+def given(options: Sequence[str]) -> dict[str, str]:
+    """Returns what --radius says: by element or the file's own name; "" is for all others."""
     by_name: dict[str, str] = {}
     for option in options:
         name, equals, word = (part.strip() for part in option.rpartition("="))
@@ -36,48 +31,44 @@ def given(options: Sequence[str], source: str | None) -> Given:
         except InputError as error:
             raise InputError(f"--radius {quote(option)}: {error}") from error
         by_name[name] = word
-    if "" in by_name and source is not None:
-        raise InputError(f"--radius {by_name['']} is for all, --radii {source} says otherwise")
-    return Given(by_name, source)
+    return by_name
 
 
 def radii_of(
-    frame: Frame, wanted: Given, exponent: int, angstrom: int, strict: bool
-) -> tuple[Floats, list[str], set[str]]:
-    """Returns the radii in the unit that is written, where they are from, and the names met.
+    frame: Frame,
+    by_name: dict[str, str],
+    source: str | None,
+    exponents: tuple[int, int],
+    strict: bool,
+) -> tuple[Floats, list[str]]:
+    """Returns the radii in the unit that is written, and lines that say where they are from.
 
-    exponent: from the file's unit to the written one; angstrom: from Angstrom to it.
+    exponents: of ten, from the file's unit to the written one, and from Angstrom to it.
     """
     kinds = frame.kinds or [("", None)]
     kind_of = frame.columns.get("kind", np.zeros(len(frame), np.int32))
-    by_name = {name: word for name, word in wanted.by_name.items() if name}
-    own = [by_name.get(label, by_name.get(str(element))) for label, element in kinds]
+    names = {name: word for name, word in by_name.items() if name}
+    own = [names.get(label, names.get(element or "")) for label, element in kinds]
     named = to_float32([word or "nan" for word in own], strict=False)[kind_of]
     replaced = f"; {np.isfinite(named).sum()} replaced as given" if any(own) else ""
-    for_all, column = wanted.by_name.get(""), _column(frame, wanted.source)
-    if for_all is not None:
-        radii: Floats = np.full(len(frame), to_float32([for_all])[0])
-        said = [f"radii      {for_all} for all, as given{replaced}"]
+    column = next((name for name in _SOURCES[source] if name in frame.columns), "")
+    if "" in by_name:
+        if source is not None:
+            raise InputError(f"--radius {by_name['']} is for all, --radii {source} says otherwise")
+        radii: Floats = np.full(len(frame), to_float32([by_name[""]])[0])
+        said = [f"radii      {by_name['']} for all, as given{replaced}"]
     elif column:
-        radii = _from_file(frame, column, exponent, strict)
+        radii = _from_file(frame, column, exponents[0], strict)
         span = f"{np.nanmin(radii):g} to {np.nanmax(radii):g}" if len(radii) else "none"
         said = [f"radii      from the file, {span}{replaced}"]
+    elif source == "file":
+        raise InputError("--radii file: it has no radii")
     else:
         words = [RADII.get(element or "", "nan") for _, element in kinds]
-        radii = to_float32(words, angstrom, strict=False)[kind_of]
+        radii = to_float32(words, exponents[1], strict=False)[kind_of]
+        said = []
     radii = np.where(np.isnan(named), radii, named)
-    if for_all is None and not column:
-        said = _about_elements(frame, kinds, kind_of, radii, wanted.by_name)
-    return radii, said, {str(name) for kind in kinds for name in kind}
-
-
-def _column(frame: Frame, source: str | None) -> str:
-    """The file's radii, if they are to be used; those of unsure meaning only if asked for."""
-    names = {"element": [], "file": ["radius", "diameter", "fifth"], None: ["radius", "diameter"]}
-    column = next((name for name in names[source] if name in frame.columns), "")
-    if source == "file" and not column:
-        raise InputError("--radii file: it has no radii")
-    return column
+    return radii, said or _by_element(frame, kind_of, radii, by_name)
 
 
 def _from_file(frame: Frame, column: str, exponent: int, strict: bool) -> Floats:
@@ -88,30 +79,31 @@ def _from_file(frame: Frame, column: str, exponent: int, strict: bool) -> Floats
     return radii / np.float32(2) if column == "diameter" else radii
 
 
-def _about_elements(
-    frame: Frame, kinds: list[Kind], kind_of: Column, radii: Floats, by_name: dict[str, str]
-) -> list[str]:
-    """Refuses atoms that got no radius; else names, how many and how large, most frequent first."""
-    if "kind" not in frame.columns:
-        raise InputError("it has no radii and no elements: give --radius R, or --topology FILE")
+def _by_element(frame: Frame, kind_of: Column, radii: Floats, by_name: dict[str, str]) -> list[str]:
+    """Says names, how many and how large, the most frequent first; refuses atoms without radius."""
+    if len(frame) and not frame.kinds:
+        raise InputError(_NO_NAMES)
     missing = np.flatnonzero(np.isnan(radii))
     if len(missing):
-        label, element = kinds[kind_of[missing[0]]]
-        why = f"the table has no radius for element {element}"
-        if element is None:
-            why = f"{quote(label)} is of no known element"
+        label, element = frame.kinds[kind_of[missing[0]]]
         name = element or label or "NAME"
-        others = {kinds[k][1] or kinds[k][0] for k in set(kind_of[missing].tolist())} - {name}
+        why = f"the table has no radius for element {element}"
+        why = why if element else f"{quote(label)} is of no known element"
+        others = {
+            element or label
+            for label, element in (frame.kinds[k] for k in set(kind_of[missing].tolist()))
+        } - {name}
         also = f" (and for {', '.join(sorted(others)[:_MOST_NAMES])})" if others else ""
         advice = f"give its radius, --radius {name}=1.5{also}, or --radius 1.5 for all"
         raise InputError(f"{frame.place(missing[0])}: {why}: {advice}")
-    if frame.unit is None and len(frame):
-        raise InputError("its unit of length is not known, radii by element are: give --radius R")
+    if len(frame) and frame.unit is None:
+        raise InputError(_NO_UNIT)
     tally: Counter[str] = Counter()
-    for k, first in zip(*np.unique(kind_of, return_index=True), strict=True):
-        label, element = kinds[k]
-        name = label if label in by_name or element is None else element
-        tally[f"{name} {radii[first]:.6g}"] += int((kind_of == k).sum())
+    met = np.unique(kind_of, return_index=True, return_counts=True)
+    for k, first, count in zip(*met, strict=True):
+        label, element = frame.kinds[k]
+        name = label if label in by_name or not element else element
+        tally[f"{name} {radii[first]:.6g}"] += int(count)
     parts = [f"{count} {name}" for name, count in tally.most_common(_MOST_NAMES)]
     more = f", and {len(tally) - len(parts)} more" if len(tally) > len(parts) else ""
     shown = f"radii      by element (Bondi): {', '.join(parts)}{more}"

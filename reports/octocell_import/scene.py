@@ -7,16 +7,13 @@ from pathlib import Path
 import numpy as np
 
 from octocell_import import InputError
-from octocell_import.decimals import Column, Floats
+from octocell_import.decimals import Floats
 from octocell_import.elements import symbol
 from octocell_import.frame import EXPONENTS, Frame, choose
 from octocell_import.radii import given, radii_of
 from octocell_report.fields import naming
 
 CHOICES = ("altloc", "chain", "residue")
-_Sizes = tuple[
-    int, Column | slice, Floats, list[str]
-]  # all atoms, those kept, their radii, what to say
 
 
 class Converter:
@@ -24,32 +21,31 @@ class Converter:
 
     def __init__(self, options: Namespace) -> None:
         self._unit, self._strict = options.length_unit, not options.drop_invalid
-        self._given = given(options.radius, options.radii)
-        self._unmet = set(self._given.by_name) - {""}
+        self._by_name, self._source = given(options.radius), options.radii
+        self._unmet = set(self._by_name) - {""}
         chosen = {name: getattr(options, name) for name in CHOICES}
         self._choices = {name: words.split(",") for name, words in chosen.items() if words}
-        self._topology: tuple[Path, _Sizes] | None = None
+        self._topology: tuple[Path, Frame, Floats, list[str]] | None = None
 
     def take_names(self, path: Path, frame: Frame) -> None:
         """From now on names and radii are those of this frame."""
-        if "kind" not in frame.columns and "radius" not in frame.columns:
+        if not frame.kinds and "radius" not in frame.columns:
             raise InputError(f"{path}: has neither names nor radii")
-        self._topology = path, self._sizes(path, frame)
+        self._topology = (path, frame, *self._sized(path, frame))
 
     def spheres(self, path: Path, frame: Frame) -> tuple[Floats, list[str]]:
         """Returns x, y, z, r as [count, 4], and lines about them. Throws InputError."""
-        source, sizes = self._topology or (path, self._sizes(path, frame))
-        count, kept, radii, said = sizes
-        if count != len(frame):
-            raise InputError(f"{path}: {len(frame)} atoms, but {source} has {count}")
-        frame, scene = frame.take(kept), np.empty((len(radii), 4), np.float32)
+        source, names, radii, said = self._topology or (path, frame, *self._sized(path, frame))
+        if len(names) != len(frame):
+            raise InputError(f"{path}: {len(frame)} atoms, but {source} has {len(names)}")
+        frame = frame.take(choose(names, self._choices))
+        scene = np.empty((len(radii), 4), np.float32)
+        scene[:, 3] = radii
         with naming(path):
             for k, name in enumerate("xyz"):
                 scene[:, k] = frame.numbers(name, self._exponent(frame.unit), self._strict)
-        scene[:, 3] = radii
         about = [self._length(frame.unit), *said, *frame.said]
-        if self._topology:
-            about.append(f"names      from {source}")
+        about += [f"names      from {source}"] * (source != path)
         bad = np.isnan(scene).any(axis=1) | (radii < 0)  # refused by now unless they may be dropped
         if bad.any():
             where = frame.place(int(bad.argmax()))
@@ -63,17 +59,15 @@ class Converter:
             hint = f"; the element is written {known}" if known and known != name else ""
             raise InputError(f"{path}: --radius {name}=...: no atom is so called{hint}")
 
-    def _sizes(self, path: Path, frame: Frame) -> _Sizes:
+    def _sized(self, path: Path, frame: Frame) -> tuple[Floats, list[str]]:
+        """The radii of the atoms that are chosen."""
+        self._unmet -= {str(name) for kind in frame.kinds for name in kind}
         with naming(path):
-            kept = choose(frame, self._choices)
-            exponent, angstrom = self._exponent(frame.unit), self._exponent("angstrom")
-            radii, said, met = radii_of(
-                frame.take(kept), self._given, exponent, angstrom, self._strict
-            )
-        self._unmet -= met
-        if self._choices:
-            said.append(f"chosen     {len(radii)} of {len(frame)} atoms")
-        return len(frame), kept, radii, said
+            atoms = frame.take(choose(frame, self._choices))
+            exponents = self._exponent(frame.unit), self._exponent("angstrom")
+            radii, said = radii_of(atoms, self._by_name, self._source, exponents, self._strict)
+        chosen = f"chosen     {len(radii)} of {len(frame)} atoms"
+        return radii, said + [chosen] * bool(self._choices)
 
     def _exponent(self, unit: str | None) -> int:
         if unit is None and self._unit is not None:

@@ -7,8 +7,7 @@ import io
 import lzma
 import zlib
 from collections.abc import Iterator, Sequence
-from itertools import islice
-from pathlib import Path
+from itertools import chain, islice
 from typing import Any, NoReturn
 
 import numpy as np
@@ -22,11 +21,6 @@ _MAGIC = {b"\x1f\x8b": ".gz", b"BZh": ".bz2", b"\xfd7zXZ": ".xz"}
 _CHUNK = 10_000  # lines that are held at a time
 _PIECE = 1 << 26  # bytes; what a header says of its file's size need not be so
 _WIDEST = 64  # bytes of a word; a column with longer ones holds objects, to save memory
-
-
-def open_bytes(path: Path) -> Any:
-    is_stdin = str(path) == "-"
-    return open(0 if is_stdin else path, "rb", closefd=not is_stdin)
 
 
 class File:
@@ -43,18 +37,31 @@ class File:
         self._stream = io.BufferedReader(opener(raw)) if opener else raw
         if self._stream.peek(3).startswith(b"\xef\xbb\xbf"):  # a byte order mark
             self._stream.read(3)
+        self._lines = iter(self._stream)
 
     def __iter__(self) -> Iterator[bytes]:
-        while line := self.line():
+        while line := next(self._lines, b""):
+            self.number += 1
             yield line
 
     def line(self, before: str = "") -> bytes:
         """Returns the next line; at the end nothing, or refuses if `before` is what is missing."""
-        line: bytes = self._stream.readline()
+        line: bytes = next(self._lines, b"")
         self.number += bool(line)
         if before and not line:
             raise InputError(f"ends after line {self.number}, before {before}")
         return line
+
+    def some(self, count: int) -> list[bytes]:
+        """Returns the next lines, fewer at the end."""
+        lines = list(islice(self._lines, count))
+        self.number += len(lines)
+        return lines
+
+    def give_back(self, lines: list[bytes]) -> None:
+        """The next lines are these."""
+        self._lines = chain(lines, self._lines)
+        self.number -= len(lines)
 
     def filled(self) -> bytes:
         """Returns the next line that is not blank; nothing at the end."""
@@ -88,19 +95,21 @@ class File:
         least: int = 0,
         more: int = 0,
         comment: bytes = b"",
-    ) -> dict[str, Column]:
-        """Returns the columns of the next `count` lines, and as "line" their numbers.
+    ) -> tuple[dict[str, Column], Column]:
+        """Returns the columns of the next `count` lines, and the lines' numbers.
 
         Every line must have a word for each name, and may have just `more` that are not read.
         Without names the columns are called "0", "1" and so on: as many as the first line has
         words, but at least `least`.
         """
+        if len(set(names)) < len(names):
+            self.refuse(f"two columns of one name: {quote(' '.join(names))}")
         before, parts, done = self.number, [np.empty((0, len(names) or least), "S1")], 0
         while done < count:
-            lines = list(islice(self._stream, min(_CHUNK, count - done)))
+            lines = self.some(min(_CHUNK, count - done))
             if not lines:
                 self.line(f"atom {done + 1} of {count}")
-            self.number, done = self.number + len(lines), done + len(lines)
+            done += len(lines)
             if comment:
                 lines = [line.partition(comment)[0] for line in lines]
             widths = [len(line.split()) if b"\0" not in line else 0 for line in lines]
@@ -114,8 +123,9 @@ class File:
             names = names or [str(k) for k in range(width)]
             parts.append(as_column(b" ".join(lines).split()).reshape(-1, width))
         table = np.concatenate(parts[bool(count) :])
+        names = names or [str(k) for k in range(least)]
         columns = {name: np.ascontiguousarray(table[:, k]) for k, name in enumerate(names)}
-        return columns | {"line": np.arange(count) + before + 1}
+        return columns, np.arange(count) + before + 1
 
 
 def is_whole(word: bytes) -> bool:
@@ -129,6 +139,8 @@ def whole_numbers(words: Column) -> Column:
 
 
 def as_column(words: list[bytes]) -> Column:
+    if b"\0" in b"".join(words):  # NumPy would strip it
+        raise InputError("a word holds a zero byte")
     return np.array(words, object if max(map(len, words), default=0) > _WIDEST else "S")
 
 

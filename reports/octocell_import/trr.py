@@ -27,8 +27,8 @@ def read(file: File) -> Iterator[Frame]:
             raise InputError(f"byte {file.position}: no TRR frame starts here")
         *sizes, count, step, _ = struct.unpack(">13i", file.take(52, "a header"))
         numbers = _BOXES | dict.fromkeys((_X, _V, _F), 3 * count)
-        widths = {sizes[k] / n for k, n in numbers.items() if n and sizes[k]}  # nothing else tells
-        if count < 0 or min(sizes) < 0 or len(widths) != 1 or not widths <= {4, 8}:
+        widths = {sizes[k] / max(n, 1) for k, n in numbers.items() if sizes[k]}  # of a number
+        if count < 0 or min(sizes) < 0 or widths not in ({4}, {8}):
             raise InputError(f"byte {file.position}: a header whose sizes do not fit {count} atoms")
         real = f">f{int(widths.pop())}"
         time = np.frombuffer(file.take(2 * int(real[2]), "a header"), real)[0]

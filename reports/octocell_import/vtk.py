@@ -16,10 +16,9 @@ from octocell_import.text import File, as_column
 _TYPES = {"unsigned_char": "u1", "char": "i1", "unsigned_short": "u2", "short": "i2", "int": "i4"}
 _TYPES |= {"unsigned_int": "u4", "unsigned_long": "u8", "long": "i8", "vtktypeint64": "i8"}
 _TYPES |= {"vtkidtype": "i4", "float": "f4", "double": "f8"}
-_CELLS = ("VERTICES", "LINES", "POLYGONS", "TRIANGLE_STRIPS", "CELLS")
-_PER_POINT = {"SCALARS": 1, "VECTORS": 3, "NORMALS": 3, "TENSORS": 9, "TENSORS6": 6}
 _DATASETS = ("POLYDATA", "UNSTRUCTURED_GRID", "STRUCTURED_GRID")  # those with points
-_PER_POINT |= {"GLOBAL_IDS": 1, "PEDIGREE_IDS": 1}
+_CELLS = ("VERTICES", "LINES", "POLYGONS", "TRIANGLE_STRIPS", "CELLS")
+_PER_POINT = {"VECTORS": 3, "NORMALS": 3, "TENSORS": 9, "GLOBAL_IDS": 1, "PEDIGREE_IDS": 1}
 
 
 def read(file: File) -> Iterator[Frame]:
@@ -31,8 +30,8 @@ def read(file: File) -> Iterator[Frame]:
     if form not in (b"ASCII", b"BINARY"):
         file.refuse(f"neither ASCII nor BINARY: {quote(form)}")
 
-    def numbers(count: str | int, kind: str, each: str | int = 1) -> Column:
-        total = file.count(str(count).encode(), "count") * file.count(str(each).encode(), "count")
+    def numbers(count: str, kind: str, each: str | int = 1) -> Column:
+        total = file.count(count.encode(), "count") * file.count(str(each).encode(), "count")
         if kind.lower() not in _TYPES:
             file.refuse(f"{quote(kind)} is no type of numbers that is known here")
         if form == b"BINARY":
@@ -45,25 +44,25 @@ def read(file: File) -> Iterator[Frame]:
             file.refuse(f"{len(words)} numbers, where {total} were expected")
         return as_column(words)
 
-    xyz, cells, rows, of_points = np.empty((0, 3), "S1"), ("0", "0"), "0", False
+    xyz, sizes, rows, of_points = np.empty((0, 3), "S1"), ("0", "0"), "0", False
     columns: dict[str, Column] = {}
-    while words := file.filled().decode("ascii", "replace").split():
+    while words := [word.decode("ascii", "replace") for word in file.filled().split()]:
+        found: dict[str, Column] = {}
         match [words[0].upper(), *words[1:]]:
             case ["DATASET", kind] if kind.upper() in _DATASETS:
                 pass
-            case ["DATASET", kind]:
-                file.refuse(f"a {kind} has no list of points")
             case ["DIMENSIONS", _, _, _] | ["FIELD", _, _]:
                 pass
+            case ["METADATA"]:
+                while file.line().strip():
+                    pass
             case ["POINTS", count, kind]:
                 xyz = numbers(count, kind, 3).reshape(-1, 3)
             case [key, count, size] if key in _CELLS:
-                cells = count, size
+                sizes = count, size
                 numbers("0" if version >= b"5" else size, "int")
-            case ["OFFSETS", kind]:
-                numbers(cells[0], kind)
-            case ["CONNECTIVITY", kind]:
-                numbers(cells[1], kind)
+            case ["OFFSETS" | "CONNECTIVITY" as key, kind]:
+                numbers(sizes[key == "CONNECTIVITY"], kind)
             case ["CELL_TYPES", count]:
                 numbers(count, "int")
             case ["POINT_DATA" | "CELL_DATA" as key, rows]:
@@ -72,21 +71,15 @@ def read(file: File) -> Iterator[Frame]:
                 if not file.line("LOOKUP_TABLE").upper().startswith(b"LOOKUP_TABLE"):
                     file.refuse("LOOKUP_TABLE was expected")
                 found = {name: numbers(rows, kind, *many)}
-                columns |= found if of_points else {}
             case [key, _, kind] if key in _PER_POINT:
                 numbers(rows, kind, _PER_POINT[key])
-            case ["TEXTURE_COORDINATES", _, many, kind]:
-                numbers(rows, kind, many)
             case ["COLOR_SCALARS", _, many]:
                 numbers(rows, "unsigned_char", many)
             case ["LOOKUP_TABLE", _, count]:
                 numbers(count, "unsigned_char", 4)
             case [name, many, count, kind] if many.isdigit() and count.isdigit():  # of a FIELD
                 found = {name: numbers(count, kind, many)}
-                columns |= found if of_points else {}
-            case ["METADATA"]:
-                while file.line().strip():
-                    pass
             case _:
-                file.refuse(f"{quote(' '.join(words))} is no keyword that is known here")
+                file.refuse(f"{quote(' '.join(words))} is nothing that is known here")
+        columns |= found if of_points else {}
     yield points(dict(zip("xyz", xyz.T, strict=True)) | columns)

@@ -37,8 +37,8 @@ def _frame(file: File, count: int, comment: str) -> Frame:
     at = _SAID if names else _PLAIN
     if "species 0" not in names and "z 0" in names:
         at = _SAID | {"label": "z 0"}
-    words = file.words(count, names, least=4)
-    more = len(words) - len(_PLAIN)  # "line" stands for the fifth
+    words, lines = file.words(count, names, least=4)
+    more = len(words) - len(_PLAIN) + 1
     if not names and more > 0:
         hint = " (--radii file takes it as radius)" if more == 1 else ""
         said.append(f"columns    after z are not used: {more} of them{hint}")
@@ -52,7 +52,7 @@ def _frame(file: File, count: int, comment: str) -> Frame:
     if "label" in columns:
         columns["kind"], texts = encode(columns.pop("label"))
         kinds = [(name, (symbol if has_types else _element)(name)) for [name] in texts]
-    return Frame(columns | {"line": words["line"]}, "angstrom", kinds, source, said)
+    return Frame(columns | {"line": lines}, "angstrom", kinds, source, said)
 
 
 def _names(file: File, comment: str) -> list[str]:

@@ -90,7 +90,8 @@ def test_mmcif_of_one_atom_needs_no_loop(tmp_path):
         ('"O5\'"', "\"O5'", "line 19: gemmi says: unterminated"),
         ("Cartn_y", "fract_y", "has no Cartn_y"),
         ("Cartn_y", "Cartn_x", "gemmi says: duplicate tag"),
-        ("_atom_site", "_atom_type", "no loop of _atom_site"),
+        ("_atom_site", "_atom_type", "an atom outside of the loop _atom_site"),
+        ("ATOM C", "#\nloop_\nATOM C", "line 19: an atom outside of the loop"),
         ("Zn ZN", "? QQ", "'QQ' is of no known element"),
     ],
 )

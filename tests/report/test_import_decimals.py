@@ -52,6 +52,39 @@ def test_random_words_near_tangent_are_nearest():
         assert found == (high if offset > 0 else low)
 
 
+@pytest.mark.parametrize("exponent", [-1, 0, 1])
+@pytest.mark.parametrize("kind", ["S", object])
+def test_shifted_words_near_ties_are_nearest_too(exponent, kind):
+    """In float64 the shift itself is inexact: it must not decide."""
+    dice = random.Random(5)
+    words, nearest, by_float64 = [], [], []
+    for _ in range(500):
+        low = np.float32(dice.uniform(-100, 100))
+        high = np.nextafter(low, np.float32(np.inf))
+        middle = (Fraction(float(low)) + Fraction(float(high))) / 2
+        offset = Fraction(dice.choice((-1, 1)), 10 ** dice.choice((15, 17, 20, 30)))
+        digits = 60
+        scaled = round((middle + offset) / Fraction(10) ** exponent * 10**digits)
+        words.append(f"{scaled}e-{digits}".encode())
+        nearest.append(high if offset > 0 else low)
+        by_float64.append(np.float32(float(words[-1]) * 10.0**exponent))
+    column = np.array(words, kind)
+    np.testing.assert_array_equal(to_float32(column, exponent), nearest)
+    assert by_float64 != nearest  # the short way fails
+
+
+def test_the_largest_numbers_are_rounded_once():
+    limit = Fraction(2) ** 128 - Fraction(2) ** 103  # midway between the largest and 2^128
+    assert to_float32([f"{limit - 1}"])[0] == np.finfo(np.float32).max
+    with pytest.raises(NotAFloat, match="too large"):
+        to_float32([f"{limit}"])
+
+
+def test_what_is_not_strict_is_nan():
+    words = np.array([b"1", b"x", b"nan", b"1e99", b"1_0", b"2"])
+    np.testing.assert_array_equal(to_float32(words, strict=False), [1, *[np.nan] * 4, 2])
+
+
 @pytest.mark.parametrize(("word", "exponent"), [("0.126", 1), ("1.26e-1", 1), ("12.6", -1)])
 def test_units_shift_the_point_of_the_decimal(word, exponent):
     assert to_float32([word], exponent)[0] == np.float32("1.26")

@@ -242,12 +242,12 @@ def test_vtk_binary(tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "why"),
     [
-        ("POINTS 2", "POINTS 3", "line 9: '1 0' is no keyword"),
+        ("POINTS 2", "POINTS 3", "line 9: '1 0' is nothing that is known"),
         ("POINTS 2", f"POINTS {'9' * 5000}", "is no count"),
-        ("POINT_DATA 2", "POINT_DATA 1", "line 14: '0 0 0' is no keyword"),
-        ("POLYDATA", "STRUCTURED_POINTS", "line 4: a STRUCTURED_POINTS has no list of points"),
+        ("POINT_DATA 2", "POINT_DATA 1", "line 14: '0 0 0' is nothing that is known"),
+        ("POLYDATA", "STRUCTURED_POINTS", "line 4: 'DATASET STRUCTURED_POINTS' is nothing"),
         ("VECTORS v float", "VECTORS v string", "is no type of numbers"),
-        ("0.25\n", "0.25\n0.1\n", "line 19: '0.1' is no keyword"),
+        ("0.25\n", "0.25\n0.1\n", "line 19: '0.1' is nothing that is known"),
         ("\n6\n", "\nsix\n", "atom 2: z: 'six' is not a number"),
     ],
 )
