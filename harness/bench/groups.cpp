@@ -61,7 +61,7 @@ Group group_of_scene(const std::string& argument, const LoadOptions& options) {
   }
   const Scene scene = load_or_generate(argument, options);
   for (const std::string& note : scene.notes) {
-    fmt::print(stderr, "octocell: {}: {}\n", scene.spec, printable(note));
+    fmt::print(stderr, "octocell: {}: {}\n", printable(argument), printable(note));
   }
   return {.scene = scene.name, .n = scene.spheres.size(), .argument = argument, .load = options};
 }

@@ -49,7 +49,7 @@ void add_scene_options(CLI::App& sub, LoadOptions& options) {
 Scene load_and_say(std::string_view scene_argument, const LoadOptions& options) {
   Scene scene = load_or_generate(scene_argument, options);
   for (const std::string& note : scene.notes) {
-    fmt::print(stderr, "octocell: {}: {}\n", scene.spec, printable(note));
+    fmt::print(stderr, "octocell: {}: {}\n", printable(scene_argument), printable(note));
   }
   return scene;
 }

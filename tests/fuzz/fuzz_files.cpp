@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Runs every reader of scene files on the same bytes. It must return valid spheres, or throw an
 // InputError of one line that begins with the path.
-#include <fmt/format.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdint>
@@ -15,25 +12,10 @@
 #include "core/error.hpp"
 #include "harness/files/leave_out.hpp"
 #include "harness/files/load_formats.hpp"
+#include "tests/support/memory_file.hpp"
 
 namespace octocell::fuzz {
 namespace {
-
-/// A regular file without a name.
-class MemoryFile {
- public:
-  MemoryFile(const std::uint8_t* data, std::size_t size) : descriptor_(memfd_create("scene", 0)) {
-    const bool whole = ::write(descriptor_, data, size) == static_cast<ssize_t>(size);
-    if (!whole) std::abort();
-  }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  ~MemoryFile() { close(descriptor_); }
-  [[nodiscard]] std::string path() const { return fmt::format("/proc/self/fd/{}", descriptor_); }
-
- private:
-  int descriptor_;
-};
 
 [[noreturn]] void fail(const char* reader, const std::string& what) {
   std::fprintf(stderr, "%s: %s\n", reader, what.c_str());
@@ -96,7 +78,7 @@ std::vector<Sphere> spheres_of(const Reader& reader, InputFile& file) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace octocell;
-  const fuzz::MemoryFile file(data, size);
+  const MemoryFile file(data, size);
   const std::string path = file.path();
   for (const fuzz::Reader& reader : fuzz::kReaders) {
     fuzz::try_reader(reader.name, path,
