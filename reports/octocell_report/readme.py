@@ -28,13 +28,15 @@ from octocell_report import (
 from octocell_report.fields import ReportError, naming
 from octocell_report.files import read_text, write_text
 from octocell_report.load import load
+from octocell_report.texts import Said
 
 _MARKER = re.compile(
     r"<!--\s*(?P<closes>/?)octocell:(?P<name>[^\s>]*)(?:\s+(?P<source>[^\s>]+))?\s*-->"
 )
 
-# By the name of the block: what reads its source, and what writes it from that.
-BLOCKS: dict[str, tuple[Callable[[Path], Any], Callable[[Any], str]]] = {
+# By the name of the block: what reads its source, and what writes it from that; of what is said in
+# two languages a name that ends in _zh takes the Chinese.
+BLOCKS: dict[str, tuple[Callable[[Path], Any], Callable[[Any], str | Said]]] = {
     "machine": (load, readme_bench.machine),
     "correctness": (load, readme_bench.correctness),
     "speed": (load, readme_bench.speed),
@@ -47,11 +49,11 @@ BLOCKS: dict[str, tuple[Callable[[Path], Any], Callable[[Any], str]]] = {
     "gpu_stages": (load, readme_gpu.stages),
     "gpu_sorts": (sort.load, readme_gpu.sorts),
     "front_libraries": (load, readme_bench.front),
-    "front_libraries_zh": (load, partial(readme_bench.front, language="zh")),
+    "front_libraries_zh": (load, readme_bench.front),
     "front_gpu": (load, readme_gpu.front),
-    "front_gpu_zh": (load, partial(readme_gpu.front, language="zh")),
+    "front_gpu_zh": (load, readme_gpu.front),
     "front_wrong": (verification.read, readme_guarantee.front),
-    "front_wrong_zh": (verification.read, partial(readme_guarantee.front, language="zh")),
+    "front_wrong_zh": (verification.read, readme_guarantee.front),
     "guarantee": (verification.read, readme_guarantee.guarantee),
     "guarantee_near_tangent": (verification.read, readme_guarantee.near_tangent),
     "guarantee_stress": (verification.read, readme_guarantee.stress),
@@ -79,7 +81,8 @@ def filled(text: str, folder: Path) -> tuple[str, list[str]]:
     parts, differing, end = [], [], 0
     for name, source, start, stop in _blocks(text):
         read, write = BLOCKS[name]
-        block = write(known(read, folder / source))
+        told = write(known(read, folder / source))
+        block = told if isinstance(told, str) else told.zh if name.endswith("_zh") else told.en
         if _MARKER.search(block):
             raise ReportError(f"block '{name}' would hold a marker: a name in the result looks so")
         block = f"\n{markdown.plain(block)}\n".replace("\n", newline)

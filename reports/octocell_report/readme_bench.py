@@ -14,14 +14,13 @@ import pandas as pd
 
 from octocell_report import spread, tables, words
 from octocell_report.fields import ReportError
-from octocell_report.language import listed, tell
 from octocell_report.load import Group, Place, Result
 from octocell_report.markdown import bold, code, table
 from octocell_report.plan import PLANNED, REBUILT
+from octocell_report.texts import Said, listed, say
 from octocell_report.words import NONE, family_title, grouped, number
 
 SCENE = "gas"  # the plain scene: the tables of speeds are about it alone
-NAMED = "bullet_dbvt"  # the baseline that speeds are also compared with by name
 RUNS = ("cold", "warm")
 WITHOUT_FLAGS = "_without_flags"  # ends the name of a scene whose flags only say who moves
 
@@ -137,10 +136,10 @@ def speed(result: Result) -> str:
     """Ratios first: they carry over to other machines better than times do."""
     place = tables.compared(result, SCENE, "warm")
     if place is None:
-        raise ReportError(f"block 'speed' needs the scene {SCENE}, which the result does not have")
+        raise ReportError(f"block 'speed' needs the scene {SCENE} with an exact warm row")
     here = chosen(result.frame, scene=SCENE, n=place.n)
     here = here[here["run"].isin(RUNS)]
-    references = {
+    fastest = {
         f"fastest {family_title(family)}": {
             run: row
             for run in RUNS
@@ -148,24 +147,23 @@ def speed(result: Result) -> str:
         }
         for family in tables.families(result)
     }
-    named = {row.run: row for row in chosen(here, backend=NAMED).itertuples()}
-    columns = {title: rows for title, rows in (*references.items(), (NAMED, named)) if rows}
+    fastest = {title: rows for title, rows in fastest.items() if rows}
     lines = []
     for label in here["label"].unique():
         rows = {row.run: row for row in chosen(here, label=label).itertuples()}
         ratios = [
             " / ".join(faster(rows.get(run), of.get(run)) for run in RUNS)
-            for of in columns.values()
+            for of in fastest.values()
         ]
         lines.append([label, *ratios, *(shown(rows.get(run)) for run in RUNS)])
-    header = ["implementation", *(f"vs {title}" for title in columns)]
     note = (
         f"Scene {SCENE}, {grouped(place.n)} spheres. Ratios, cold / warm: the baseline's time "
         "divided by the row's, median over interleaved rounds; above 1 the row is faster."
     )
-    told = [_named(title, rows) for title, rows in references.items() if rows]
-    lines = pd.DataFrame(lines, columns=[*header, *(f"{run} [ms]" for run in RUNS)])
-    return table(lines, " ".join([note, *told]))
+    header = ["implementation", *(f"vs {title}" for title in fastest)]
+    header += [f"{run} [ms]" for run in RUNS]
+    named = [_named(title, rows) for title, rows in fastest.items()]
+    return table(pd.DataFrame(lines, columns=header), " ".join([note, *named]))
 
 
 def _named(title: str, rows: dict[str, Row]) -> str:
@@ -213,27 +211,25 @@ def against(result: Result) -> str:
     return table(pd.DataFrame(lines, columns=header), note)
 
 
-def front(result: Result, language: str = "en") -> str:
+def front(result: Result) -> Said:
     """The README's number: how many times as fast as each library our plan is."""
-    place = result.groups[0].place
-    ours = plan(result, place)
+    group = result.groups[0]
+    ours = plan(result, group.place)
     if ours is None:
         raise ReportError("block 'front_libraries' needs an exact cold row of a plan")
-    here, parts = chosen(result.frame, scene=place.scene, n=place.n, run="cold"), []
-    for family in tables.families(result):
-        rounds = _rounds(best(here, family=family, kind="baseline"), ours)
-        if rounds:
-            known = {"times": f"{median(rounds):.0f}", "family": family_title(family)}
-            parts.append(tell(language, "front_library", **known))
-    return tell(
-        language,
-        "front_libraries",
-        libraries=listed(parts, language),
-        n=grouped(place.n),
-        ms=shown(ours),
-        machine=result.context["machine"]["cpu"],
-        commit=result.context["commit"][:8],
-    )
+    here = chosen(result.frame, scene=group.scene, n=group.n, run="cold", kind="baseline")
+    ratios = {
+        family_title(family): _rounds(best(here, family=family), ours)
+        for family in tables.families(result)
+    }
+    parts = [
+        say("front_library", times=f"{median(rounds):.0f}", family=library)
+        for library, rounds in ratios.items()
+        if rounds
+    ]
+    known = {"n": grouped(group.n), "ms": shown(ours), "commit": result.context["commit"][:8]}
+    machine = result.context["machine"]["cpu"]
+    return say("front_libraries", libraries=listed(parts), machine=machine, **known)
 
 
 def kinds(result: Result, run: str) -> str:

@@ -9,12 +9,12 @@ import pandas as pd
 
 from octocell_report import bandwidth, words
 from octocell_report.fields import ReportError
-from octocell_report.language import tell
 from octocell_report.load import Result
 from octocell_report.markdown import bold, code, table
 from octocell_report.readme_bench import SCENE, Row, best, chosen, faster, shown
 from octocell_report.sort import TITLES, SortResult
 from octocell_report.spread import ratios
+from octocell_report.texts import Said, say
 from octocell_report.words import NONE, grouped, number
 
 OURS = "impl_cuda_custom"
@@ -58,13 +58,13 @@ def speed(result: Result) -> str:
     return table(pd.DataFrame(lines, columns=header), note)
 
 
-def front(result: Result, language: str = "en") -> str:
+def front(result: Result) -> Said:
     """The README's number: the time of a million spheres that lie on the device."""
     row = _fastest(result, 1_000_000, OURS)
     if row is None or not row.counts or result.gpu is None:
         raise ReportError("block 'front_gpu' needs an exact warm row of a million spheres")
-    known = {"ms": shown(row), "gpu": result.gpu.name, "commit": result.context["commit"][:8]}
-    return tell(language, "front_gpu", **known)
+    commit = result.context["commit"][:8]
+    return say("front_gpu", ms=shown(row), gpu=result.gpu.name, commit=commit)
 
 
 def stages(result: Result) -> str:

@@ -7,8 +7,8 @@ from collections.abc import Callable
 
 from pandas import DataFrame
 
-from octocell_report.language import listed, tell
 from octocell_report.markdown import bold, code, table
+from octocell_report.texts import Said, listed, say
 from octocell_report.verification import ENDINGS, LOSSES, SIDES, STATUSES, Verification
 from octocell_report.words import NONE, family, family_title, grouped
 
@@ -204,11 +204,12 @@ def sanitizers(found: Verification) -> str:
     return _detailed(found["sanitizers"], lines, "tool|machine|tests|reports")
 
 
-def front(found: Verification, language: str = "en") -> str:
+def front(found: Verification) -> Said:
     """The README's number: wrong answers to the stress catalogue, ours, then each library's."""
-    rows = found["stress"]
-    parts = []
-    for owner, own in _owners(rows[rows["asks"] != "refusal"]).items():
-        counts = {"wrong": grouped(own["wrong"].sum()), "answers": grouped(_answered(own))}
-        parts.append(tell(language, "front_owner", owner=owner, **counts))
-    return tell(language, "front_wrong", owners=listed(parts, language))
+    asked = found["stress"][found["stress"]["asks"] != "refusal"]
+    counts = {
+        owner: {"wrong": grouped(rows["wrong"].sum()), "answers": grouped(_answered(rows))}
+        for owner, rows in _owners(asked).items()
+    }
+    parts = [say("front_owner", owner=owner, **known) for owner, known in counts.items()]
+    return say("front_wrong", owners=listed(parts))
