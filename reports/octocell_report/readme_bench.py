@@ -194,14 +194,21 @@ def moving(result: Result) -> str:
     return table(lines.drop(columns=keys[:3]).rename(columns=named), note)
 
 
+def _headline(result: Result, block: str) -> tuple[Group, Row, pd.DataFrame]:
+    """The first scene, our plan there, and the baselines that ran, cold."""
+    for group in result.groups[:1]:
+        ours = plan(result, group.place)
+        where = {"scene": group.scene, "n": group.n, "run": "cold", "kind": "baseline"}
+        theirs = chosen(result.frame, **where, ran=True)
+        if ours is not None and len(theirs):
+            return group, ours, theirs
+    raise ReportError(f"block '{block}' needs cold rows of a plan and of a baseline")
+
+
 def against(result: Result) -> str:
-    """Every baseline beside our plan, at the first scene, cold."""
-    group = result.groups[0]
-    ours = plan(result, group.place)
-    here = chosen(result.frame, scene=group.scene, n=group.n, run="cold", kind="baseline", ran=True)
-    if ours is None or here.empty:
-        raise ReportError("block 'against' needs cold rows of a plan and of a baseline")
-    lines = [[row.label, shown(row), longer(row, ours)] for row in here.itertuples()]
+    """Every baseline beside our plan."""
+    group, ours, theirs = _headline(result, "against")
+    lines = [[row.label, shown(row), longer(row, ours)] for row in theirs.itertuples()]
     lines.insert(0, [ours.label, shown(ours), NONE])
     note = (
         f"{_title(group)}, {grouped(group.n)} spheres, cold, 1 thread, median of {ours.rounds} "
@@ -212,16 +219,10 @@ def against(result: Result) -> str:
 
 
 def front(result: Result) -> Said:
-    """The README's number: how many times as fast as each library our plan is."""
-    group = result.groups[0]
-    ours = plan(result, group.place)
-    if ours is None:
-        raise ReportError("block 'front_libraries' needs an exact cold row of a plan")
-    here = chosen(result.frame, scene=group.scene, n=group.n, run="cold", kind="baseline")
-    ratios = {
-        family_title(family): _rounds(best(here, family=family), ours)
-        for family in tables.families(result)
-    }
+    """The README's number: how many times as fast as each library's fastest our plan is."""
+    group, ours, theirs = _headline(result, "front_libraries")
+    fastest = {family: best(theirs, family=family) for family in tables.families(result)}
+    ratios = {family_title(family): _rounds(row, ours) for family, row in fastest.items()}
     parts = [
         say("front_library", times=f"{median(rounds):.0f}", family=library)
         for library, rounds in ratios.items()
@@ -273,13 +274,13 @@ def _title(group: Group) -> str:
     name, colon, parameters = group.spec.partition(":")
     if not colon:
         return Path(name).stem
-    pairs = [text.partition("=")[::2] for text in parameters.split(",")]
-    told = [
-        f"{key} {grouped(int(value)) if value.isdigit() else value}"
-        for key, value in pairs
-        if key not in ("n", "seed")
-    ]
+    known = [text.partition("=")[::2] for text in parameters.split(",")]
+    told = [f"{key} {_digits(value)}" for key, value in known if key not in ("n", "seed")]
     return ", ".join([name, *told])
+
+
+def _digits(value: str) -> str:
+    return grouped(int(value)) if value.isdecimal() and len(value) < 20 else value
 
 
 def _moving_rows(frame: pd.DataFrame) -> dict[tuple[str, str, int], Row]:

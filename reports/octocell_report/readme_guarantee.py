@@ -12,6 +12,7 @@ from octocell_report.texts import Said, listed, say
 from octocell_report.verification import ENDINGS, LOSSES, SIDES, STATUSES, Verification
 from octocell_report.words import NONE, family, family_title, grouped
 
+NOT_RUN = "not run"
 OWNERS = ("Octocell", "FCL", "Bullet")  # columns
 
 
@@ -48,7 +49,7 @@ def guarantee(found: Verification) -> str:
 
 
 def _told(rows: DataFrame, show: Callable[[DataFrame], str]) -> str:
-    return "not run" if rows.empty else show(rows)
+    return NOT_RUN if rows.empty else show(rows)
 
 
 def _bad(count: int) -> str:
@@ -118,6 +119,8 @@ def _best(faults: DataFrame) -> DataFrame:
 
 def _killed(faults: DataFrame) -> str:
     killed, survived, rest = ((faults["status"] == status).sum() for status in STATUSES)
+    if not killed + survived:
+        return NOT_RUN
     text = f"{killed} of {killed + survived}"
     return (bold(text) if survived else text) + (f" ({rest} not run)" if rest else "")
 

@@ -109,6 +109,11 @@ def test_a_fault_is_judged_over_machines(tmp_path):
     ]
 
 
+def test_faults_that_ran_nowhere_are_not_run(tmp_path):
+    folder = save(tmp_path, mutants=synthetic_guarantee.mutants(fault("a", "not_run")))
+    assert told(folder)["faults planted in the sources, found"][0] == "not run"
+
+
 def test_details_have_a_line_each(tmp_path):
     folder = synthetic_guarantee.save_all(tmp_path)
     ties = told(folder, "guarantee_near_tangent")

@@ -6,7 +6,7 @@ import pytest
 from octocell_report import readme, readme_bench
 from octocell_report.cli import main
 from octocell_report.fields import ReportError
-from octocell_report.load import parse
+from octocell_report.load import load, parse
 
 import synthetic
 from synthetic import group, row, skipped, unavailable_group, wrong
@@ -136,6 +136,22 @@ def test_bad_markers_are_errors(document, save, tmp_path, text, message):
     save(document)
     with pytest.raises(ReportError, match=message):
         readme.filled(text, tmp_path)
+
+
+@pytest.mark.parametrize("name", [n for n, (reads, _) in readme.BLOCKS.items() if reads is load])
+def test_a_result_that_lacks_what_a_block_needs_is_an_error_that_names_it(name):
+    rows = [skipped(row("bullet_dbvt", None, None), "too slow")]
+    for document in (synthetic.document([], []), synthetic.document([group("gas", 1000)], rows)):
+        try:
+            readme.BLOCKS[name][1](parse(document))
+        except ReportError as error:
+            assert f"block '{name.removesuffix('_zh')}'" in str(error)
+
+
+def test_parameters_of_a_scene_may_be_strange():
+    told = [readme_bench._title(parse(synthetic.document([group("gas", 1, spec=s)], [])).groups[0])
+            for s in ("gas:n=1,a=" + "7" * 5000, "gas:a=²,b", "/tmp/a.npy")]  # fmt: skip
+    assert told == ["gas, a " + "7" * 5000, "gas, a ², b ", "a"]
 
 
 def test_speed_without_its_scene_is_an_error():
