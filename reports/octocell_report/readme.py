@@ -55,12 +55,18 @@ BLOCKS: dict[str, tuple[Callable[[Path], Any], Callable[[Any], str | Said]]] = {
     "front_wrong": (verification.read, readme_guarantee.front),
     "front_wrong_zh": (verification.read, readme_guarantee.front),
     "guarantee": (verification.read, readme_guarantee.guarantee),
-    "guarantee_near_tangent": (verification.read, readme_guarantee.near_tangent),
-    "guarantee_stress": (verification.read, readme_guarantee.stress),
-    "guarantee_compilers": (verification.read, readme_guarantee.compilers),
-    "guarantee_mutants": (verification.read, readme_guarantee.mutants),
-    "guarantee_fuzz": (verification.read, readme_guarantee.fuzz),
-    "guarantee_sanitizers": (verification.read, readme_guarantee.sanitizers),
+    "guarantee_near_tangent": (
+        verification.read,
+        partial(readme_guarantee.details, kind="near_tangent"),
+    ),
+    "guarantee_stress": (verification.read, partial(readme_guarantee.details, kind="stress")),
+    "guarantee_compilers": (verification.read, partial(readme_guarantee.details, kind="compilers")),
+    "guarantee_mutants": (verification.read, partial(readme_guarantee.details, kind="mutants")),
+    "guarantee_fuzz": (verification.read, partial(readme_guarantee.details, kind="fuzz")),
+    "guarantee_sanitizers": (
+        verification.read,
+        partial(readme_guarantee.details, kind="sanitizers"),
+    ),
 }
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from pandas import DataFrame
+from pandas import DataFrame, concat
 
 from octocell_report.markdown import bold, code, table
 from octocell_report.texts import Said, listed, say
@@ -59,15 +59,16 @@ def _bad(count: int) -> str:
 
 def _near_tangent(ties: DataFrame, side: str) -> list[list[str]]:
     tried = _told(ties, lambda t: f"{grouped(t['pairs'].sum())} in {t['name'].nunique()} families")
-    wrong = _told(ties[ties["pairs"] > 0], _mismatches)
+    wrong = _told(ties, _mismatches)
     return [[f"near-tangent pairs decided, {side}", tried], ["– of these wrong", wrong]]
 
 
 def _mismatches(ties: DataFrame) -> str:
     """With 3/N, which the rate stays below with 95 % where none of N failed: '2.5 · 10⁻⁹'."""
-    if wrong := ties["mismatches"].sum():
-        return _bad(wrong)
-    mantissa, exponent = f"{3 / ties['pairs'].sum():.1e}".split("e")
+    wrong, pairs = ties["mismatches"].sum(), ties["pairs"].sum()
+    if wrong or not pairs:
+        return _bad(wrong) if pairs else NOT_RUN
+    mantissa, exponent = f"{3 / pairs:.1e}".split("e")
     superscripts = str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
     return f"0 (rate below {mantissa} · 10{superscripts})"
 
@@ -142,69 +143,51 @@ def _sources(*frames: DataFrame) -> str:
     return f"From {', '.join(names)}." if names else "From no file yet."
 
 
-def _detailed(rows: DataFrame, lines: DataFrame, titles: str, note: str = "") -> str:
-    """A table with its sources; of a kind without a file, that it was not run."""
+def details(found: Verification, kind: str) -> str:
+    """The lines of one kind; of a kind without a file, that it was not run."""
+    rows = found[kind]
     if rows.empty:
         return "Not run yet."
+    summary = {"near_tangent": _with_sum, "stress": _by_implementation, "mutants": _best}
+    lines = summary.get(kind, _by_compiler if kind == "compilers" else DataFrame)(rows)
     shown = {
-        column: lines[column].map(_bad if column in _FAILURES else grouped)
+        column: lines[column].map(_bad if column in _FAILURES else grouped, "ignore")
         for column in lines.select_dtypes("number")
     }
-    named = lines.assign(**shown).set_axis(titles.split("|"), axis=1)
-    return table(named, f"{note} {_sources(rows)}".strip())
+    lines = lines.assign(**shown).replace("survived", bold("survived"))
+    lines = lines.drop(columns="source", errors="ignore")
+    note = f"{_refusals(rows)} " if kind == "compilers" else ""
+    return table(lines.rename(columns=lambda name: name.replace("_", " ")), note + _sources(rows))
 
 
 _FAILURES = ("mismatches", "crashes", "reports", *ENDINGS[3:])
 
 
-def near_tangent(found: Verification) -> str:
-    """By family, and where it ran."""
-    ties = found["near_tangent"]
-    lines = ties.assign(mismatches=ties["mismatches"].map(_bad))
-    lines = lines[["name", "where", "machine", "pairs", "mismatches"]]
-    wrong = _told(ties[ties["pairs"] > 0], _mismatches)
-    lines.loc[len(lines)] = ["all", "", "", ties["pairs"].sum(), wrong]
-    return _detailed(ties, lines, "family|where|machine|near-tangent pairs|wrong")
+def _with_sum(ties: DataFrame) -> DataFrame:
+    wrong = ties["mismatches"].map(_bad)
+    last = {"name": "all", "pairs": ties["pairs"].sum(), "mismatches": _mismatches(ties)}
+    return concat([ties.assign(mismatches=wrong), DataFrame([last])])
 
 
-def stress(found: Verification) -> str:
-    """By implementation, backends first: how its cases ended."""
-    by = found["stress"].sort_values("kind", kind="stable").groupby("implementation", sort=False)
-    lines = by[[*ENDINGS]].sum().assign(losses=[_losses(own) for _, own in by]).reset_index()
-    titles = f"implementation|{'|'.join(ENDINGS)}|missed, false, repeated"
-    return _detailed(found["stress"], lines, titles)
+def _by_implementation(rows: DataFrame) -> DataFrame:
+    """Backends first: how their cases ended."""
+    by = rows.sort_values("kind", kind="stable").groupby("implementation", sort=False)
+    losses = [_losses(own) for _, own in by]
+    return by[[*ENDINGS]].sum().assign(**{"missed, false, repeated": losses}).reset_index()
 
 
-def compilers(found: Verification) -> str:
-    files = found["compilers"]
+def _by_compiler(files: DataFrame) -> DataFrame:
     every = files.explode("configurations", ignore_index=True)
     every[["compiler", "flags"]] = every["configurations"].str.extract(r"(\S+)\s*(.*)")
     by = every.groupby(["compiler", "machine"], sort=False)["flags"]
-    lines = by.agg(["size", lambda flags: ", ".join(map(code, flags))]).reset_index()
+    return by.agg(configurations="size", flags=lambda of: ", ".join(map(code, of))).reset_index()
+
+
+def _refusals(files: DataFrame) -> str:
     refused = {code(name.split()[-1]) for name in files["refused"].explode().dropna()}
     failures = files["failures"].map(len).sum()
-    note = f"{files['checksums'].max()} checksums each; failures: {_bad(failures)}."
-    note += f" Refused at compile time: {', '.join(sorted(refused))}." if refused else ""
-    return _detailed(files, lines, "compiler|machine|configurations|flags", note)
-
-
-def mutants(found: Verification) -> str:
-    faults = _best(found["mutants"])
-    reasons = "not run: " + faults["reason"].fillna("no reason given")
-    status = faults["status"].replace("survived", bold("survived"))
-    lines = faults.assign(status=status.mask(status == "not_run", reasons))
-    columns = ["name", "what", "status", "killed_by"]
-    return _detailed(found["mutants"], lines[columns], "fault|what is wrong||found by")
-
-
-def fuzz(found: Verification) -> str:
-    lines = found["fuzz"][["name", "machine", "runs", "seconds", "crashes"]]
-    return _detailed(found["fuzz"], lines, "target|machine|inputs|seconds|failures")
-
-
-def sanitizers(found: Verification) -> str:
-    lines = found["sanitizers"][["name", "machine", "tests", "reports"]]
-    return _detailed(found["sanitizers"], lines, "tool|machine|tests|reports")
+    told = f"{files['checksums'].max()} checksums each; failures: {_bad(failures)}."
+    return f"{told} Refused at compile time: {', '.join(sorted(refused))}." if refused else told
 
 
 def front(found: Verification) -> Said:

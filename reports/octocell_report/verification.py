@@ -23,7 +23,7 @@ SIDES = ("CPU", "GPU")
 STATUSES = ("killed", "survived", "not_run")  # of a planted fault
 # What the frame of each kind holds, beside "machine" and "source" (the file, as documents name it).
 COLUMNS = {
-    "near_tangent": ("where", "name", "pairs", "mismatches"),
+    "near_tangent": ("name", "where", "pairs", "mismatches"),
     "stress": ("entry", "asks", "implementation", "backend", "kind", *ENDINGS, *LOSSES),
     "compilers": ("configurations", "checksums", "failures", "refused"),
     "fuzz": ("name", "runs", "seconds", "crashes"),
@@ -140,7 +140,7 @@ def _frame(folder: Path, kind: str) -> pd.DataFrame:
     names = [f"{where}{kind}*.json{gz}" for where in ("", "*/") for gz in ("", ".gz")]
     paths = sorted(path for name in names for path in folder.glob(name))
     lines = [line for path in paths for line in read_json(path, partial(_lines, path, kind))]
-    return pd.DataFrame(lines, columns=["machine", "source", *COLUMNS[kind]])
+    return pd.DataFrame(lines, columns=[*COLUMNS[kind], "machine", "source"])
 
 
 def _lines(path: Path, kind: str, document: Any) -> list[dict[str, Any]]:

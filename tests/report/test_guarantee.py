@@ -102,11 +102,7 @@ def test_a_fault_is_judged_over_machines(tmp_path):
     folder = save(tmp_path, mutants=first, mutants_gpu=second)
     assert told(folder)["faults planted in the sources, found"][0] == "**1 of 2** (1 not run)"
     lines = told(folder, "guarantee_mutants")
-    assert [lines[name][1] for name in "abc"] == [
-        "killed",
-        "**survived**",
-        "not run: no reason given",
-    ]
+    assert [lines[name][1] for name in "abc"] == ["killed", "**survived**", "not_run"]
 
 
 def test_faults_that_ran_nowhere_are_not_run(tmp_path):
@@ -117,9 +113,8 @@ def test_faults_that_ran_nowhere_are_not_run(tmp_path):
 def test_details_have_a_line_each(tmp_path):
     folder = synthetic_guarantee.save_all(tmp_path)
     ties = told(folder, "guarantee_near_tangent")
-    assert (
-        ties["quadruples"][:2] == ["CPU", "epyc"] and ties["all"][3] == "0 (rate below 2.3 · 10⁻¹⁰)"
-    )
+    assert ties["quadruples"][2:] == ["0", "epyc"]
+    assert ties["all"][2] == "0 (rate below 2.3 · 10⁻¹⁰)"
     stress = told(folder, "guarantee_stress")
     assert list(stress)[2:] == [
         "impl_cpu planned",
@@ -128,13 +123,13 @@ def test_details_have_a_line_each(tmp_path):
         "bullet_dbvt",
     ]
     assert stress["fcl_sap"] == ["3", "27", "0", "0", "0", "**1**", "**9, 0, 4**"]
-    compilers = readme_guarantee.compilers(verification.read(folder))
+    compilers = readme_guarantee.details(verification.read(folder), "compilers")
     assert "| g++ | epyc | 2 | `-O0`, `-O3 -mfma` |" in compilers
     assert "84 checksums each; failures: 0. Refused at compile time: `-Ofast`." in compilers
-    assert told(folder, "guarantee_fuzz")["fuzz_scenes"][0] == "epyc"
-    assert told(folder, "guarantee_sanitizers")["TSan"][1] == "198"
-    assert "`epyc/stress.json` (0123456789ab, 2026-01-02)" in readme_guarantee.stress(
-        verification.read(folder)
+    assert told(folder, "guarantee_fuzz")["fuzz_scenes"][3] == "epyc"
+    assert told(folder, "guarantee_sanitizers")["TSan"][0] == "198"
+    assert "`epyc/stress.json` (0123456789ab, 2026-01-02)" in readme_guarantee.details(
+        verification.read(folder), "stress"
     )
 
 
