@@ -136,7 +136,7 @@ def speed(result: Result) -> str:
     """Ratios first: they carry over to other machines better than times do."""
     place = tables.compared(result, SCENE, "warm")
     if place is None:
-        raise ReportError(f"block 'speed' needs the scene {SCENE} with an exact warm row")
+        raise ReportError(f"block 'speed' needs the scene {SCENE}, which the result does not have")
     here = chosen(result.frame, scene=SCENE, n=place.n)
     here = here[here["run"].isin(RUNS)]
     fastest = {
@@ -220,13 +220,11 @@ def against(result: Result) -> str:
 
 def front(result: Result) -> Said:
     """The README's number: how many times as fast as each library's fastest our plan is."""
-    group, ours, theirs = _headline(result, "front_libraries")
-    fastest = {family: best(theirs, family=family) for family in tables.families(result)}
-    ratios = {family_title(family): _rounds(row, ours) for family, row in fastest.items()}
+    group, ours, _ = _headline(result, "front_libraries")
+    where = {"run": "cold", "scene": group.scene, "n": group.n, "label": ours.label}
     parts = [
-        say("front_library", times=f"{median(rounds):.0f}", family=library)
-        for library, rounds in ratios.items()
-        if rounds
+        say("front_library", times=f"{median(row.ratios):.0f}", family=family_title(row.family_ref))
+        for row in chosen(tables.speedups(result), **where).itertuples()
     ]
     known = {"n": grouped(group.n), "ms": shown(ours), "commit": result.context["commit"][:8]}
     machine = result.context["machine"]["cpu"]
