@@ -7,6 +7,7 @@ can be forced. All were measured in the same rounds, so that ratios are taken wi
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pandas as pd
@@ -14,6 +15,7 @@ import pandas as pd
 from octocell_report import tables, words
 from octocell_report.fields import ReportError
 from octocell_report.load import Place, Result
+from octocell_report.load import load as load_bench
 from octocell_report.plan import NOTHING, PLANNED
 from octocell_report.spread import Estimate, estimate, ratios
 
@@ -23,12 +25,15 @@ WORTH_TELLING = 0.02  # a step that changes less of the time with nothing skippe
 _KEYS = ["backend", "threads", "scene", "n", "run", "motion"]  # of a study
 
 
-def require(result: Result) -> None:
-    """Throws ReportError for a result that is no ablation."""
+def load(path: Path) -> Result:
+    """Reads one result. Throws ReportError if it is no ablation."""
+    result = load_bench(path)
     if result.variants_frame.empty:
         raise ReportError(
-            "has no planned row with skips forbidden; octocell bench --preset ablation makes them"
+            f"{path}: has no planned row with skips forbidden; "
+            "octocell bench --preset ablation makes them"
         )
+    return result
 
 
 def choices(result: Result) -> pd.DataFrame:

@@ -55,7 +55,7 @@ def counts(result: Result, verdict: Verdict) -> list[Said]:
         say(
             "counts",
             **{"exact": verdict.exact, "wrong": len(verdict.wrong)},
-            **{"excused": len(verdict.excused), "controls": verdict.negative_controls},
+            **{"excused": verdict.excused, "controls": verdict.controls},
             skipped=verdict.skipped,
         )
     ]

@@ -3,84 +3,69 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from octocell_report import words
 from octocell_report.load import Result
 from octocell_report.texts import Said, listed, say
 
 
-@dataclass(frozen=True)
-class Verdict:
-    """Counts of rows, and rows as named tuples of the frame's columns."""
+class Verdict(NamedTuple):
+    """Numbers of rows, and rows. A default row is neither a variant nor a negative control."""
 
     exact: int  # default rows that ran and are exact
     wrong: list[Any]  # default rows that ran and are not
-    excused: list[Any]  # wrong by a known issue of their library; reported, not counted
+    excused: int  # wrong by a known issue of their library; reported, not counted
     skipped: int
-    negative_controls: int  # rows kept because their rule is wrong; they do not count
-    unavailable: list[str]  # real scenes that could not be fetched
-    finished: bool
-    variants: int  # planned rows with skips forbidden that ran: asked to be exact, not default
+    controls: int  # negative controls that ran; right or wrong, they do not count
+    variants: int  # planned rows with skips forbidden that ran: asked to be exact, too
     wrong_variants: list[Any]
-
-    @property
-    def checked(self) -> int:
-        return self.exact + len(self.wrong)
 
     @property
     def passes(self) -> bool:
         """Every default row and every variant that ran is exact, and at least one default did."""
         return not self.wrong and not self.wrong_variants and self.exact > 0
 
+    @property
+    def headline(self) -> Said:
+        wrong, checked = len(self.wrong), self.exact + len(self.wrong)
+        key = "none" if not checked else "wrong" if wrong else "all"
+        parts = [say(f"headline_{key}", wrong=wrong, checked=checked)]
+        if wrong := len(self.wrong_variants):
+            parts.append(say("headline_variants", wrong=wrong, variants=self.variants))
+        return listed(parts, "space")
+
+    @property
+    def complaints(self) -> list[str]:
+        """One line on each wrong row."""
+        rows = [*self.wrong, *self.wrong_variants]
+        return [f"wrong: {row.name}: {row.pairs} pairs, {words.losses(row)}" for row in rows]
+
 
 def judge(result: Result) -> Verdict:
     rows, variants = result.frame, result.variants_frame
-    default = rows[~rows["negative_control"]]
-    wrong = default[default["status"] == "wrong"]
+    wrong = rows[(rows["status"] == "wrong") & ~rows["negative_control"]]
     return Verdict(
-        exact=int((default["status"] == "ok").sum()),
+        exact=int(rows["counts"].sum()),
         wrong=[*wrong[~wrong["excused"]].itertuples()],
-        excused=[*wrong[wrong["excused"]].itertuples()],
+        excused=int(wrong["excused"].sum()),
         skipped=int((~rows["ran"]).sum()),
-        negative_controls=int((rows["negative_control"] & rows["ran"]).sum()),
-        unavailable=[g.scene for g in result.groups if g.unavailable is not None],
-        finished=bool(result.context["finished"]),
+        controls=int((rows["negative_control"] & rows["ran"]).sum()),
         variants=int(variants["ran"].sum()),
         wrong_variants=[*variants[variants["status"] == "wrong"].itertuples()],
     )
 
 
-def headline(verdict: Verdict) -> Said:
-    """Exact or not. A 'default' row ran, and is neither a variant nor a negative control."""
-    key = "none" if not verdict.checked else "wrong" if verdict.wrong else "all"
-    parts = [say(f"headline_{key}", wrong=len(verdict.wrong), checked=verdict.checked)]
-    if wrong := len(verdict.wrong_variants):
-        parts.append(say("headline_variants", wrong=wrong, variants=verdict.variants))
-    return listed(parts, "space")
-
-
-def summary(verdict: Verdict) -> str:
+def summary(result: Result) -> str:
     """The headline and what it does not count, in one line."""
-    parts = [
-        headline(verdict).en,
-        f"{verdict.skipped} skipped, {verdict.negative_controls} negative controls.",
-    ]
-    if verdict.variants:
-        parts.append(f"Beside them {verdict.variants} variants with skips forbidden ran.")
-    if verdict.excused:
-        parts.append(f"{len(verdict.excused)} miss pairs by known issues of their libraries.")
-    if verdict.unavailable:
-        parts.append(f"Unavailable: {', '.join(verdict.unavailable)}.")
-    if not verdict.finished:
-        parts.append("The run was interrupted; what is there is sound.")
-    return " ".join(parts)
-
-
-def complaints(verdict: Verdict) -> list[str]:
-    """One line on each wrong row."""
-    return [
-        f"wrong: {row.name}: {row.pairs} pairs, {words.losses(row)}"
-        for row in [*verdict.wrong, *verdict.wrong_variants]
-    ]
+    verdict = judge(result)
+    missing = ", ".join(g.scene for g in result.groups if g.unavailable is not None)
+    parts = {
+        verdict.headline.en: True,
+        f"{verdict.skipped} skipped, {verdict.controls} negative controls.": True,
+        f"Beside them {verdict.variants} variants with skips forbidden ran.": verdict.variants,
+        f"{verdict.excused} miss pairs by known issues of their libraries.": verdict.excused,
+        f"Unavailable: {missing}.": missing,
+        "The run was interrupted; what is there is sound.": not result.context["finished"],
+    }
+    return " ".join(text for text, shown in parts.items() if shown)

@@ -21,21 +21,14 @@ from octocell_report import words
 from octocell_report.load import Result
 from octocell_report.spread import LEAST_ROUNDS, SHARE, drawn_medians, middle
 
-# What the rows of both files may be called, and how the summary counts them.
-TIMED = {
-    "slower": "slower",
-    "faster": "faster",
-    "same": "within the noise",
-    "unknown": "not judged",
-}
+TIMED = ("slower", "faster", "within the noise", "not judged")  # verdicts; too few rounds: the last
 
 
 def compare(old: Result, new: Result, threshold: float) -> pd.DataFrame:
     """A line per row that both have, by name: the columns of both frames (_old, _new), `verdict`,
-    and ratio, low, high of those timed: new median / old median, above 1 is slower.
+    and of those timed ratio (new median / old median), low, high.
 
-    Other verdicts: 'other scene' (the true pairs differ), 'changed' (one of them has no bare time,
-    and they differ), 'alike'.
+    Verdicts without a time: other scene (the true pairs differ), changed (in what they are), alike.
     """
     both = old.frame.merge(new.frame, on="name", suffixes=("_old", "_new"))
 
@@ -55,8 +48,8 @@ def compare(old: Result, new: Result, threshold: float) -> pd.DataFrame:
             *(~scene, ~timed & alike("status") & alike("negative_control"), ~timed, few),
             *(both["low"] > 1 + threshold, both["high"] < 1 / (1 + threshold)),
         ],
-        ["other scene", "alike", "changed", "unknown", "slower", "faster"],
-        "same",
+        ["other scene", "alike", "changed", "not judged", "slower", "faster"],
+        "within the noise",
     )
     return both
 
@@ -70,30 +63,23 @@ def interval(old: tuple[float, ...], new: tuple[float, ...]) -> tuple[float, flo
         return middle(above / below)
 
 
-_MACHINE = ("cpu", "cores", "memory_bytes", "os", "name")
-_BUILD = ("compiler", "flags", "instruction_set", "build_type", "libraries", "gpu")
+_SAME = ("machine.", "libraries.", "gpu.name", "compiler", "flags", "instruction_set", "build_type")
 
 
 def warnings(old: Result, new: Result) -> list[str]:
     """Why a difference may not be the code's."""
-    known = [result.context | result.context["machine"] for result in (old, new)]
+    before, after = (pd.json_normalize(result.context).iloc[0] for result in (old, new))
     found = [
-        f"other {key}: {' / '.join(_shown(context.get(key)) for context in known)}"
-        for key in (*_MACHINE, *_BUILD)
-        if known[0].get(key) != known[1].get(key)
+        f"other {key.replace('.', ' ')}: {before.get(key)} / {after.get(key)}"
+        for key in before.index.union(after.index, sort=False)
+        if key.startswith(_SAME) and before.get(key) != after.get(key)
     ]
-    for name, context in zip(("old", "new"), known, strict=True):
+    for age, context in (("old", before), ("new", after)):
         if context["dirty"]:
-            found.append(f"the {name} result was built from changed sources")
+            found.append(f"the {age} result was built from changed sources")
         if not context["finished"]:
-            found.append(f"the {name} run was interrupted")
+            found.append(f"the {age} run was interrupted")
     return found
-
-
-def _shown(known: Any) -> str:
-    if isinstance(known, dict):
-        return ", ".join(f"{name} {value}" for name, value in known.items())
-    return "none" if known is None else str(known)
 
 
 def report(old: Result, new: Result, threshold: float) -> tuple[list[str], bool]:
@@ -107,18 +93,23 @@ def report(old: Result, new: Result, threshold: float) -> tuple[list[str], bool]
         f"faster: below {1 / (1 + threshold):.3g}; "
         f"rows with fewer than {LEAST_ROUNDS} rounds are not judged",
     ]
-    for verdict in ("slower", "faster"):
-        rows = both[both["verdict"] == verdict]
-        lines += ["", f"{verdict}: {len(rows) or 'none'}", *_table(rows)]
-    rows_of = [{r.name: r for r in result.frame.itertuples()} for result in (old, new)]
-    changed = both.loc[both["verdict"] == "changed", "name"]
-    told = [f"{name}: {' -> '.join(_word(rows[name]) for rows in rows_of)}" for name in changed]
-    other = both.loc[both["verdict"] == "other scene", "name"]
+    by = {
+        verdict: both[both["verdict"] == verdict] for verdict in (*TIMED, "changed", "other scene")
+    }
+    for verdict in TIMED[:2]:
+        lines += ["", f"{verdict}: {len(by[verdict]) or 'none'}", *_table(by[verdict])]
+    rows = [{row.name: row for row in result.frame.itertuples()} for result in (old, new)]
+    told = [
+        f"{name}: {_word(rows[0][name])} -> {_word(rows[1][name])}"
+        for name in by["changed"]["name"]
+    ]
     lines += _listed("changed verdict", told)
-    lines += _listed("other scene (true pairs differ, not compared)", other)
-    for age, here in zip(("old", "new"), rows_of, strict=True):
-        lines += _listed(f"only in the {age} file", [n for n in here if n not in set(both["name"])])
-    return [*lines, "", *_summary(both)], bool((both["verdict"] == "slower").any())
+    lines += _listed("other scene (true pairs differ, not compared)", by["other scene"]["name"])
+    for age, here, there in (("old", *rows), ("new", *reversed(rows))):
+        lines += _listed(f"only in the {age} file", [name for name in here if name not in there])
+    counts = ", ".join(f"{len(by[verdict])} {verdict}" for verdict in TIMED)
+    lines += ["", f"{both['ratio'].count()} rows compared: {counts}", *_drift(both)]
+    return lines, len(by["slower"]) > 0
 
 
 def _listed(title: str, lines: Sequence[str]) -> list[str]:
@@ -146,12 +137,10 @@ def _table(rows: pd.DataFrame) -> list[str]:
     return [f"  {line}  {name}" for line, name in zip(lines, names, strict=True)]
 
 
-def _summary(both: pd.DataFrame) -> list[str]:
-    """Counts, and how the baselines moved: their code is not ours, so it is the machine's drift."""
-    counts = [f"{(both['verdict'] == verdict).sum()} {word}" for verdict, word in TIMED.items()]
-    lines = [f"{both['ratio'].count()} rows compared: {', '.join(counts)}"]
-    for kind, title in (("backend", "ours"), ("baseline", "baselines, as a measure of drift")):
-        ratios = both.loc[both["kind_new"] == kind, "ratio"].dropna()
-        if len(ratios):
-            lines.append(f"{title}: median ratio {ratios.median():.3f} of {len(ratios)} rows")
-    return lines
+def _drift(both: pd.DataFrame) -> list[str]:
+    """How the rows of each kind moved: baselines' code is not ours, so theirs is the machine's."""
+    kinds = {"backend": "ours", "baseline": "baselines, as a measure of drift"}
+    return [
+        f"{kinds[kind]}: median ratio {ratios.median():.3f} of {len(ratios)} rows"
+        for kind, ratios in both.dropna(subset="ratio").groupby("kind_new")["ratio"]
+    ]

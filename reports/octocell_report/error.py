@@ -8,8 +8,9 @@ predicates, of several the one whose exact row is fastest; so predicates differ 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 import pandas as pd
@@ -17,6 +18,7 @@ import pandas as pd
 from octocell_report import words
 from octocell_report.fields import ReportError
 from octocell_report.load import Result
+from octocell_report.load import load as load_bench
 from octocell_report.predicates import EXACT, FLOAT32, PREDICATES, SCENE_CLASSES
 from octocell_report.spread import Estimate, estimate, ratios
 
@@ -115,10 +117,13 @@ class Study:
         )
 
 
-def require(study: Study) -> None:
-    """Throws ReportError for results without a row to show."""
+def load(paths: Sequence[Path]) -> Study:
+    """Reads results. Throws ReportError if they have no row to show."""
+    study = Study(map(load_bench, paths))
     if study.points.empty:
-        raise ReportError("no warm row that ran is on a scene with a scene_class")
+        names = ", ".join(map(str, paths))
+        raise ReportError(f"{names}: no warm row that ran is on a scene with a scene_class")
+    return study
 
 
 def _points(result: Result) -> pd.DataFrame:

@@ -15,30 +15,61 @@ from octocell_report import bandwidth, tables, words
 from octocell_report.load import DEVICE_RUNS, RUNS, Result
 from octocell_report.spread import Estimate
 
-_CALLED = {  # columns that CSV files call otherwise
-    "label": "implementation",
-    "label_ref": "reference",
-    "family_ref": "against",
-    "beyond_bytes": "bytes_per_sphere_beyond",
-    "ms": "median_ms",
-    "gbps": "gigabytes_per_second",
-    "share": "share_of_copy",
-    "tiny": "too_little_to_tell",
+# The columns of CSV files that choose from frames, and what files call otherwise than frames do.
+_COLUMNS = {
+    "times": "scene n label method rule threads run motion status negative_control missed false "
+    "duplicates median_ms min_ms max_ms rounds plan_ms ns_per_sphere candidates_per_pair "
+    "uncertain_pairs beyond_bytes device_bytes",
+    "stages": "scene n label run status stage median_ms fused_into",
+    "bandwidth": "scene n label run stage least_bytes ms gbps copy_gigabytes_per_second share tiny",
+    "frames": "scene n motion label status frame warmup median_ms min_ms max_ms",
+    "skipped": "scene n label run reason",
+    "ratios": "scene n run own_run motion label family_ref label_ref times_as_fast_median min max "
+    "rounds",
 }
-_TIMES = (
-    "scene n label method rule threads run motion status negative_control missed false duplicates "
-    "median_ms min_ms max_ms rounds plan_ms ns_per_sphere candidates_per_pair uncertain_pairs "
-    "beyond_bytes device_bytes"
-)
+_CALLED = {
+    **{"label": "implementation", "label_ref": "reference", "family_ref": "against"},
+    **{"beyond_bytes": "bytes_per_sphere_beyond", "ms": "median_ms"},
+    **{"gbps": "gigabytes_per_second", "share": "share_of_copy", "tiny": "too_little_to_tell"},
+}
+NAMES = ("slopes", "correctness", "unavailable", *_COLUMNS)  # of the files, without their ending
 
 
-def _picked(frame: pd.DataFrame, columns: str) -> pd.DataFrame:
-    return frame[columns.split()].rename(columns=_CALLED)
-
-
-def times(result: Result) -> pd.DataFrame:
-    """Every row that ran; a time stands next to its status."""
-    return _picked(result.frame[result.frame["ran"]], _TIMES)
+def all_frames(result: Result) -> dict[str, pd.DataFrame]:
+    """By name; a question without an answer in this result has an empty frame."""
+    rows, rates = result.frame, bandwidth.frame(result)
+    rows = rows.assign(course=rows.groupby(["scene", "n", "motion"], sort=False).ngroup())
+    where = rows[["scene", "n", "motion", "label", "run", "status", "course", "order"]]
+    moving = result.motion_frames.join(where, on="row")
+    ratios = tables.speedups(result)
+    spans = {name: ratios["ratios"].map(of) for name, of in (("min", min), ("max", max))}
+    known = {
+        "times": rows[rows["ran"]],
+        "stages": result.stages.join(where, on="row"),
+        "bandwidth": rates[(rates["stage"] != bandwidth.ALL) & (rates["least_bytes"] > 0)].assign(
+            copy_gigabytes_per_second=result.gpu.copy_gbps if result.gpu else None
+        ),
+        "frames": moving.sort_values(["course", "order", "row", "frame"]),
+        "skipped": rows[~rows["ran"]],
+        "ratios": ratios.assign(
+            times_as_fast_median=ratios["ratios"].map(median),
+            rounds=ratios["ratios"].map(len),
+            **spans,
+        ),
+    }
+    return {
+        "slopes": slopes(result),
+        "correctness": correctness(result),
+        "unavailable": pd.DataFrame(
+            {"scene": group.scene, "spec": group.spec, "reason": group.unavailable}
+            for group in result.groups
+            if group.unavailable is not None
+        ),
+        **{
+            name: frame[_COLUMNS[name].split()].rename(columns=_CALLED)
+            for name, frame in known.items()
+        },
+    }
 
 
 def slopes(result: Result) -> pd.DataFrame:
@@ -59,44 +90,6 @@ def slopes(result: Result) -> pd.DataFrame:
     )
 
 
-def ratios(result: Result) -> pd.DataFrame:
-    """How many times as fast as each library's fastest, over the rounds."""
-    found = tables.speedups(result)
-    rounds = found["ratios"]
-    return _picked(found, "scene n run own_run motion label family_ref label_ref").assign(
-        times_as_fast_median=rounds.map(median),
-        min=rounds.map(min),
-        max=rounds.map(max),
-        rounds=rounds.map(len),
-    )
-
-
-def stages(result: Result) -> pd.DataFrame:
-    """A fused stage names the stage that holds its time and has none of its own."""
-    rows = result.frame[["scene", "n", "label", "run", "status"]]
-    found = result.stages.join(rows, on="row")
-    return _picked(found, "scene n label run status stage median_ms fused_into")
-
-
-def rates(result: Result) -> pd.DataFrame:
-    """What a stage must move, by the time that it took."""
-    found = bandwidth.frame(result)
-    found = found[(found["stage"] != bandwidth.ALL) & (found["least_bytes"] > 0)]
-    found = found.assign(copy_gigabytes_per_second=result.gpu.copy_gbps if result.gpu else None)
-    columns = "scene n label run stage least_bytes ms gbps copy_gigabytes_per_second share tiny"
-    return _picked(found, columns)
-
-
-def motion(result: Result) -> pd.DataFrame:
-    """A line per frame of a moving scene, over the rounds."""
-    rows = result.frame
-    rows = rows.assign(course=rows.groupby(["scene", "n", "motion"], sort=False).ngroup())
-    columns = ["scene", "n", "motion", "label", "status", "course", "order"]
-    found = result.motion_frames.join(rows[columns], on="row")
-    found = found.sort_values(["course", "order", "row", "frame"])
-    return _picked(found, "scene n motion label status frame warmup median_ms min_ms max_ms")
-
-
 def correctness(result: Result) -> pd.DataFrame:
     """What happened in the worst run of each implementation (lines) at each place (columns)."""
     rows = result.frame
@@ -104,14 +97,13 @@ def correctness(result: Result) -> pd.DataFrame:
     rank = (lost + 1).where(rows["status"] == "wrong", rows["ran"] - 1)
     worst = rows.assign(rank=rank).sort_values("rank", ascending=False, kind="stable")
     worst = worst.drop_duplicates(["order", "group"])
-    worst["text"] = [
-        words.losses(row)
-        if row.status == "wrong"
-        else "exact"
-        if row.ran
-        else words.short_reason(row.reason, 24)
-        for row in worst.itertuples()
-    ]
+
+    def text(row: pd.Series) -> str:
+        if row["status"] == "wrong":
+            return words.losses(row)
+        return "exact" if row["ran"] else words.short_reason(row["reason"], 24)
+
+    worst = worst.assign(text=[text(row) for _, row in worst.iterrows()])
     table = worst.pivot(index=["order", "label"], columns="group", values="text").fillna("")
     names = {
         f"{group.scene} {group.n}": table.get(index, "")
@@ -122,31 +114,6 @@ def correctness(result: Result) -> pd.DataFrame:
     return table.assign(**names).reset_index()[["label", *names]].rename(columns=_CALLED)
 
 
-def skipped(result: Result) -> pd.DataFrame:
-    return _picked(result.frame[~result.frame["ran"]], "scene n label run reason")
-
-
-def unavailable(result: Result) -> pd.DataFrame:
-    return pd.DataFrame(
-        {"scene": group.scene, "spec": group.spec, "reason": group.unavailable}
-        for group in result.groups
-        if group.unavailable is not None
-    )
-
-
-_FRAMES = {
-    **{"times": times, "slopes": slopes, "ratios": ratios, "stages": stages, "bandwidth": rates},
-    **{"frames": motion, "correctness": correctness},
-    **{"skipped": skipped, "unavailable": unavailable},
-}
-NAMES = tuple(_FRAMES)  # of the CSV files, without their ending
-
-
-def all_frames(result: Result) -> dict[str, pd.DataFrame]:
-    """By name; a question without an answer in this result has an empty frame."""
-    return {name: frame(result) for name, frame in _FRAMES.items()}
-
-
 def write(tables: Mapping[str, pd.DataFrame], folder: Path) -> None:
     """Each as NAME.csv; an empty one has no file."""
     for name, table in tables.items():
@@ -155,12 +122,7 @@ def write(tables: Mapping[str, pd.DataFrame], folder: Path) -> None:
 
 
 def save(table: pd.DataFrame, path: Path) -> None:
-    with np.errstate(invalid="ignore"):  # numbers that no integer can hold stay what they are
-        _spread(table).convert_dtypes().to_csv(path, index=False)
-
-
-def _spread(table: pd.DataFrame) -> pd.DataFrame:
-    """With three columns for each of estimates: median, low, high."""
+    """An estimate takes three columns: median, low, high."""
     found = {}
     for name, column in table.items():
         if column.map(lambda value: isinstance(value, Estimate)).any():
@@ -168,4 +130,5 @@ def _spread(table: pd.DataFrame) -> pd.DataFrame:
                 found[f"{name}_{part}"] = column.map(attrgetter(part), "ignore")
         else:
             found[name] = column
-    return pd.DataFrame(found)
+    with np.errstate(invalid="ignore"):  # numbers that no integer can hold stay what they are
+        pd.DataFrame(found).convert_dtypes().to_csv(path, index=False)

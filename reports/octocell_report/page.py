@@ -111,7 +111,7 @@ def render(
     return environment.get_template("page.html.j2").render(
         **{"say": say, "texts": TEXTS, "cells": page_tables.cells, "heading": page_tables.heading},
         context=result.context,
-        headline=check.headline(verdict),
+        headline=verdict.headline,
         exact=verdict.passes,
         first=captions.first_scene(result),
         front=images.picture(folder / "front.png"),

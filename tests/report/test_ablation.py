@@ -189,7 +189,7 @@ def test_a_wrong_variant_is_wrong_but_no_default_row(save, capsys):
     assert "skips:none/" in lines[0] and "−2 +0" in lines[0]
     assert lines[1].startswith("Exact: all 3 default rows. Wrong: 1 of 17 variants of the plan.")
     result = studied(*rows)
-    assert check.headline(check.judge(result)).zh.endswith("计划的 17 个变体中的 1 个。")
+    assert check.judge(result).headline.zh.endswith("计划的 17 个变体中的 1 个。")
     (line,) = shown(page_tables.wrong([result]))
     assert (line["implementation"], line["missed"]) == ("impl_cpu planned, none", "2")
 

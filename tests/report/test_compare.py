@@ -33,24 +33,30 @@ def verdict(old, new, threshold=0.05):
 
 @pytest.mark.parametrize(
     ("factor", "expected"),
-    [(1.0, "same"), (1.04, "same"), (1.2, "slower"), (0.8, "faster"), (0.97, "same")],
+    [
+        (1.0, "within the noise"),
+        (1.04, "within the noise"),
+        (1.2, "slower"),
+        (0.8, "faster"),
+        (0.97, "within the noise"),
+    ],
 )
 def test_only_what_is_beyond_threshold_and_spread_is_a_change(factor, expected):
     assert verdict(STEADY, scaled(STEADY, factor)) == expected
 
 
 def test_a_large_change_within_the_spread_is_none():
-    assert verdict([1.0, 2.0, 0.5, 1.5, 0.7], [1.3, 2.2, 0.6, 1.6, 0.9]) == "same"
+    assert verdict([1.0, 2.0, 0.5, 1.5, 0.7], [1.3, 2.2, 0.6, 1.6, 0.9]) == "within the noise"
 
 
 def test_a_row_compared_with_itself_is_the_same():
     assert interval(STEADY, STEADY)[0] < 1 < interval(STEADY, STEADY)[1]
-    assert verdict(STEADY, STEADY, threshold=0.0) == "same"
+    assert verdict(STEADY, STEADY, threshold=0.0) == "within the noise"
 
 
 def test_the_threshold_is_the_caller_s():
     slower = scaled(STEADY, 1.2)
-    assert verdict(STEADY, slower, threshold=0.3) == "same"
+    assert verdict(STEADY, slower, threshold=0.3) == "within the noise"
     assert verdict(STEADY, scaled(STEADY, 1.07), threshold=0.0) == "slower"
 
 
@@ -65,7 +71,7 @@ def test_the_interval_holds_the_ratio_and_narrows_with_rounds():
 
 
 def test_two_rounds_are_too_few_to_judge():
-    assert verdict([1.0, 1.0], [5.0, 5.0]) == "unknown"
+    assert verdict([1.0, 1.0], [5.0, 5.0]) == "not judged"
     assert verdict([1.0, 1.0, 1.0], [5.0, 5.0, 5.0]) == "slower"
 
 
@@ -109,12 +115,15 @@ def test_scenes_that_are_not_the_same_are_not_compared():
 def test_other_machines_and_compilers_are_warned_of():
     old, new = result_of(row()), result_of(row(), compiler="g++ 13.1", dirty=True, finished=False)
     new.context["machine"] |= {"cpu": "Other CPU"}
-    new.context["libraries"] = {"fcl": "0.7.1"}
+    new.context["libraries"] = {"fcl": "0.7.1", "benchmark": "1.7.1"}
+    new.context["gpu"] = {"name": "Example GPU", "copy_gigabytes_per_second": 1.0}
     assert warnings(old, old) == []
     assert warnings(old, new) == [
-        "other cpu: Example CPU 9000 / Other CPU",
         "other compiler: g++ 12.2.0 / g++ 13.1",
-        "other libraries: fcl 0.7.0, bullet 3.24, benchmark 1.7.1 / fcl 0.7.1",
+        "other machine cpu: Example CPU 9000 / Other CPU",
+        "other libraries fcl: 0.7.0 / 0.7.1",
+        "other libraries bullet: 3.24 / None",
+        "other gpu name: None / Example GPU",
         "the new result was built from changed sources",
         "the new run was interrupted",
     ]

@@ -86,7 +86,7 @@ def test_the_table_has_steady_and_first_frames():
 
 
 def test_frames_as_csv_mark_the_warm_up():
-    frame = frames.motion(result_of(*three())).query("implementation == 'fcl_a'")
+    frame = frames.all_frames(result_of(*three()))["frames"].query("implementation == 'fcl_a'")
     assert frame.warmup.tolist() == [True, True, False, False, False]
     assert frame.median_ms.tolist() == pytest.approx([33, 33, 3.3, 6.6, 9.9])
 

@@ -248,7 +248,7 @@ def test_a_known_fault_excuses_missed_pairs_and_nothing_else(save, capsys):
         assert main(["check", str(save(document))]) == code
     assert "1 miss pairs by known" not in capsys.readouterr().out.splitlines()[-1]
     result = parse(synthetic.document([group("gas", 1000)], [row(), wrong(known, missed=3)]))
-    assert check.summary(check.judge(result)).startswith("Exact: all 1 default rows. 0 skipped")
+    assert check.summary(result).startswith("Exact: all 1 default rows. 0 skipped")
     (line,) = page_tables.english(page_tables.wrong([result])).to_dict("records")
     assert (line["implementation"], line["kind"]) == ("fcl_sap", "known issue")
     assert "1 wrong by known issues" in captions.counts(result, check.judge(result))[0].en

@@ -54,7 +54,8 @@ def test_ratios_are_taken_round_by_round():
 
 def test_the_median_of_ratios_is_not_the_ratio_of_medians():
     rows = row(total_ms=[1.0, 10.0, 2.0]), row("fcl_a", None, None, total_ms=[2.0, 10.0, 8.0])
-    assert frames.ratios(result_of(*rows))["times_as_fast_median"].item() == 2.0  # not 8 / 2
+    ratios = frames.all_frames(result_of(*rows))["ratios"]
+    assert ratios["times_as_fast_median"].item() == 2.0  # not 8 / 2
 
 
 def test_a_wrong_baseline_is_no_reference_however_fast():
@@ -108,7 +109,8 @@ def test_cells_say_what_happened_in_the_worst_run():
 
 def test_a_fused_stage_has_a_host_and_no_time():
     stages = {"pair_tests": [2.0, 4.0, 3.0]}
-    frame = frames.stages(result_of(row(stage_ms=stages, fused={"resolve": "pair_tests"})))
+    result = result_of(row(stage_ms=stages, fused={"resolve": "pair_tests"}))
+    frame = frames.all_frames(result)["stages"]
     assert frame["median_ms"].fillna(-1).tolist() == [3.0, -1]
     assert frame["fused_into"].tolist() == [None, "pair_tests"]
 

@@ -63,7 +63,7 @@ def test_values_may_be_said_in_both_languages():
 def test_numbers_are_in_both_languages(every_case):
     result = parse(every_case)
     notes = [
-        check.headline(check.judge(result)),
+        check.judge(result).headline,
         *captions.counts(result, check.judge(result)),
         *captions.first_scene(result),
     ]
