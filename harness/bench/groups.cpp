@@ -100,8 +100,9 @@ Footage footage_of(const Group& group) {
 }
 
 std::vector<Group> choose_groups(const BenchOptions& options) {
+  const Preset preset = preset_named(options.preset);  // refused even if scenes take its place
   std::vector<Group> groups = custom_groups(options);
-  if (groups.empty()) groups = groups_of_preset(options.preset);
+  if (groups.empty()) groups = preset();
   make_labels_distinct(groups);
   if (options.rounds) {
     for (Group& group : groups) {

@@ -228,17 +228,17 @@ std::vector<Group> error_groups() {
   return groups;
 }
 
-constexpr std::pair<std::string_view, std::vector<Group> (*)()> kPresets[] = {
+constexpr std::pair<std::string_view, Preset> kPresets[] = {
     {"quick", quick_groups},   {"full", full_groups},         {"gpu", gpu_groups},
     {"frames", frames_groups}, {"ablation", ablation_groups}, {"error", error_groups},
     {"real", real_groups}};
 
 }  // namespace
 
-std::vector<Group> groups_of_preset(std::string_view name) {
+Preset preset_named(std::string_view name) {
   std::string known;
   for (const auto& [preset, groups] : kPresets) {
-    if (preset == name) return groups();
+    if (preset == name) return groups;
     known += fmt::format("{}{}", known.empty() ? "" : ", ", preset);
   }
   throw InputError(fmt::format("unknown preset '{}'; known: {}", name, known));

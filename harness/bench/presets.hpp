@@ -9,8 +9,11 @@
 
 namespace octocell::bench {
 
-/// Returns the groups of a preset, small ones first. Real scenes that were not downloaded are
-/// marked unavailable. Throws InputError that lists the known presets.
-std::vector<Group> groups_of_preset(std::string_view name);
+/// Makes the groups of a preset, small ones first. Real scenes that were not downloaded are marked
+/// unavailable.
+using Preset = std::vector<Group> (*)();
+
+/// Returns the preset of that name. Throws InputError that lists the known presets.
+Preset preset_named(std::string_view name);
 
 }  // namespace octocell::bench

@@ -63,7 +63,7 @@ def test_depth_check_tells_the_error(octocell: Octocell, tmp_path: Path) -> None
 DEPTH_REFUSALS = {
     "count": (["--count", "--depth", "d.npy"], ["--count", "no depths"]),
     "count_check": (["--count", "--depth-check"], ["--count", "no depths"]),
-    "no_name": (["--depth", ""], ["--depth", "no file"]),
+    "no_name": (["--depth", ""], ["--depth", "the file name is empty"]),
     "wrong_ending": (["--depth", "d.csv"], ["d.csv", ".npy"]),
     "same_file": (["--depth", "d.npy", "-o", "./d.npy"], ["d.npy", "a file each"]),
     "no_folder": (["--depth", "absent/d.npy", "-o", "p.npy"], ["absent/d.npy"]),
