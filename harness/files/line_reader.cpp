@@ -9,7 +9,7 @@
 namespace octocell {
 namespace {
 
-constexpr std::size_t kReadAtOnce = std::size_t{1} << 20;
+constexpr std::size_t kReadAtOnce = std::size_t{1} << 16;
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // spreadsheets write it
 
 bool is_utf16(std::string_view beginning) {
