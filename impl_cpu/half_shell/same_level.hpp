@@ -93,10 +93,11 @@ class SameLevel {
     std::uint32_t first_id;
     IndexRange spheres;
   };
-  std::optional<OtherRow> row_one_step(Place at, RowStep step, RowCursor& cursor) const {
-    if (!step_along(grid_, 1, step.y, at.y)) return std::nullopt;
-    if (!step_along(grid_, 2, step.z, at.z)) return std::nullopt;
-    const std::uint32_t id = level_.first_id + at.y * grid_.stride_y + at.z * grid_.stride_z;
+  std::optional<OtherRow> row_one_step(const Place& at, RowStep step, RowCursor& cursor) const {
+    std::uint32_t y = at.y;
+    std::uint32_t z = at.z;
+    if (!step_along(grid_, 1, step.y, y) || !step_along(grid_, 2, step.z, z)) return std::nullopt;
+    const std::uint32_t id = level_.first_id + y * grid_.stride_y + z * grid_.stride_z;
     const IndexRange spheres = cursor.run_at(id);
     if (spheres.empty()) return std::nullopt;
     return OtherRow{id, spheres};
