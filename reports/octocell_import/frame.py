@@ -2,6 +2,7 @@
 """What every reader gives: the atoms of one frame, still as the file has them."""
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -10,7 +11,6 @@ from octocell_import import InputError, quote
 from octocell_import.decimals import Column, Floats, NotAFloat, to_float32
 
 Kind = tuple[str, str | None]  # the atom's name or type, as in the file, and its element
-KNOWN = ("x", "y", "z", "radius", "diameter", "kind", "line")
 _OF_POINTS = ("x", "y", "z", "radius", "diameter")
 _CHUNK = 50_000  # atoms, whose words take a few megabytes
 NO_ALTLOC = (b"", b" ", b".", b"?")
@@ -67,6 +67,12 @@ def points(columns: dict[str, Column], lines: Column | None = None) -> Frame:
     return Frame(known if lines is None else known | {"line": lines})
 
 
+def kinds_of(element: Callable[..., str | None], *columns: Column) -> tuple[Column, list[Kind]]:
+    """Returns every atom's kind, as a number, and the kinds; the first column has the labels."""
+    codes, texts = encode(*columns)
+    return codes, [(words[0].strip(), element(*words)) for words in texts]
+
+
 def encode(*columns: Column) -> tuple[Column, list[list[str]]]:
     """Returns a number for each combination of words, and the words of each number."""
     codes: dict[tuple[bytes, ...], int] = {}
@@ -88,11 +94,12 @@ def choose(frame: Frame, choices: dict[str, list[str]]) -> Column | slice:
     for name, values in choices.items():
         if name not in frame.columns:
             raise InputError(f"--{name}: the file has none")
-        words = np.char.strip(frame.columns[name])
+        words = np.char.strip(frame.columns[name].astype("S"))
         fits = np.isin(words, [value.encode() for value in values])
         fits |= (name == "altloc") & np.isin(words, NO_ALTLOC)
         for value in values if name == "residue" else []:
-            if ends := re.fullmatch(r"(-?\d{1,6})(?:-(-?\d{1,6}))?", value):
+            ends = re.fullmatch(r"(-?\d{1,6})(?:-(-?\d{1,6}))?", value)
+            if ends and "number" in frame.columns:
                 number = frame.numbers("number", 0, strict=False)
                 fits |= (number >= int(ends[1])) & (number <= int(ends[2] or ends[1]))
         keep &= fits

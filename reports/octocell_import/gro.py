@@ -11,7 +11,7 @@ import numpy as np
 
 from octocell_import import quote
 from octocell_import.elements import element_of
-from octocell_import.frame import Frame, encode
+from octocell_import.frame import Frame, kinds_of
 from octocell_import.text import File, card, fields
 
 # Wide numbers of the box may touch each other; then five decimals tell them apart.
@@ -49,8 +49,7 @@ def _frame(file: File, count: int) -> Frame:
     if _BOX.fullmatch(box) is None:
         file.refuse(f"after {count} atoms the box (3 or 9 numbers) was expected: {quote(box)}")
     columns["line"] = np.arange(count) + before + 1
-    columns["kind"], texts = encode(columns["label"], columns["residue"])
-    kinds = [(name.strip(), element_of(name, residue)) for name, residue in texts]
+    columns["kind"], kinds = kinds_of(element_of, columns["label"], columns["residue"])
     return Frame(columns, "nm", kinds, "atom and residue names")
 
 

@@ -5,14 +5,14 @@ https://docs.lammps.org/read_data.html, https://docs.lammps.org/dump.html
 """
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 
 from octocell_import import InputError, quote
 from octocell_import.decimals import Column, NotAFloat, to_float32, to_float64
 from octocell_import.elements import symbol, symbol_of_mass
-from octocell_import.frame import KNOWN, Frame, Kind, encode
+from octocell_import.frame import Frame, kinds_of
 from octocell_import.text import File, is_whole, whole_numbers
 
 Columns = dict[str, Column]
@@ -33,6 +33,7 @@ _GUESSES[True] = _GUESSES[False] | {6: "molecular", 7: "full", 9: "molecular", 1
 _WHOLE = {"id", "mol", "spin", "nx", "ny", "nz"}
 _ADVICE = f"give --atom-style: {', '.join(STYLES)}, or the columns' names: 'id type x y z radius'"
 _INTEGER = re.compile(rb"[-+]?\d+")
+_KNOWN = ("x", "y", "z", "radius", "diameter", "type", "element", "line")
 _SECTION = re.compile(r"[A-Za-z][A-Za-z/_ ]*")
 _ITEMS = {"TIMESTEP": 1, "TIME": 1, "UNITS": 1, "NUMBER OF ATOMS": 1, "BOX BOUNDS": 3}  # lines
 _PLACES = (["x", "y", "z"], ["xu", "yu", "zu"], ["xs", "ys", "zs"], ["xsu", "ysu", "zsu"])
@@ -78,8 +79,10 @@ def read_data(file: File, atom_style: str = "") -> Iterator[Frame]:
         return symbol_of_mass(float(to_float32([mass], strict=False)[0]))
 
     unit = re.search(r"units = (\w+)", title)
-    source = "the types' labels, comments or masses"
-    yield _frame(file, atoms, "type", element, source, unit[1] if unit else "", how)
+    frame = _frame(file, atoms, unit[1] if unit else "", how)
+    frame.columns["kind"], frame.kinds = kinds_of(element, frame.columns.pop("type"))
+    frame.elements_from = "the types' labels, comments or masses"
+    yield frame
 
 
 def _atoms(
@@ -157,10 +160,12 @@ def _dumped(file: File, said: dict[str, list[str]], names: list[str]) -> Frame:
         places = _unscaled(file, said.get("BOX BOUNDS"), places, lines, title)
         about += ", scaled to the box in float64"
     columns |= dict(zip("xyz", places, strict=True)) | {"line": lines}
-    unit = said.get("UNITS", ["", ""])[1]
-    if "element" in names:
-        return _frame(file, columns, "element", symbol, "the column element", unit, about)
-    return _frame(file, columns, "type", lambda kind: None, "nothing", unit, about)
+    frame = _frame(file, columns, said.get("UNITS", ["", ""])[1], about)
+    for name, element in (("type", lambda kind: None), ("element", symbol)):  # the last one counts
+        if name in frame.columns:
+            frame.columns["kind"], frame.kinds = kinds_of(element, frame.columns.pop(name))
+            frame.elements_from = f"the column {name}"
+    return frame
 
 
 def _unscaled(
@@ -193,15 +198,7 @@ def _unscaled(
         return [origin[k] + moved[k] for k in range(3)]
 
 
-def _frame(
-    file: File,
-    columns: Columns,
-    label: str,
-    element: Callable[[str], str | None],
-    elements_from: str,
-    unit: str,
-    about: str,
-) -> Frame:
+def _frame(file: File, columns: Columns, unit: str, about: str) -> Frame:
     """The atoms by id: LAMMPS writes them in any order, but atom i should be one in all frames."""
     order = "place in the file: it has no ids"
     if "id" in columns:
@@ -215,11 +212,6 @@ def _frame(
             first, second = sort[twice[0]], sort[twice[0] + 1]
             file.refuse(f"id {ids[first]} is line {lines[first]}'s", lines[second])
         columns = {name: column[sort] for name, column in columns.items()}
-    kinds: list[Kind] = []
-    if label in columns:
-        columns["kind"], texts = encode(columns[label])
-        kinds = [(name, element(name)) for [name] in texts]
     units = f"units      {unit}" if unit else "unit       not in the file, taken as Angstrom"
-    kept = {name: column for name, column in columns.items() if name in KNOWN}
-    said = [f"order      by {order}", about, units]
-    return Frame(kept, _UNITS.get(unit), kinds, elements_from, said)
+    known = {name: column for name, column in columns.items() if name in _KNOWN}
+    return Frame(known, _UNITS.get(unit), said=[f"order      by {order}", about, units])

@@ -27,7 +27,7 @@ def frames_by_octocell(path: Path, name: str, options: Namespace) -> Iterator[Fr
     command = [program, "generate", str(path), "--format", name]
     command += ["--drop-invalid"] * options.drop_invalid
     if name != "pqr":  # its radii may be overridden here
-        command += [word for radius in options.radius for word in ("--radius", radius)]
+        command += [f"--radius={radius}" for radius in options.radius if "=" not in radius]
     for frame in count() if name == "pqr" else [0]:
         with tempfile.TemporaryDirectory() as folder:
             output = ["-o", f"{folder}/scene.npy", *["--frame", str(frame)] * (name == "pqr")]

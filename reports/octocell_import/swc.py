@@ -9,7 +9,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from octocell_import import InputError
-from octocell_import.frame import Frame, encode
+from octocell_import.frame import Frame, kinds_of
 from octocell_import.text import File, as_column
 
 _NAMES = ("id", "label", "x", "y", "z", "radius", "parent")
@@ -27,5 +27,5 @@ def read(file: File) -> Iterator[Frame]:
     if not rows:
         raise InputError("no node")
     columns = {n: as_column(list(c)) for n, c in zip(_NAMES, zip(*rows, strict=True), strict=True)}
-    columns["kind"], texts = encode(columns["label"])
-    yield Frame(columns | {"line": np.array(lines)}, kinds=[(kind, None) for [kind] in texts])
+    columns["kind"], kinds = kinds_of(lambda kind: None, columns["label"])
+    yield Frame(columns | {"line": np.array(lines)}, kinds=kinds)

@@ -14,7 +14,7 @@ import numpy as np
 from octocell_import import quote
 from octocell_import.decimals import Column
 from octocell_import.elements import symbol
-from octocell_import.frame import Frame, Kind, encode
+from octocell_import.frame import Frame, Kind, kinds_of
 from octocell_import.text import File, is_whole
 
 _PAIR = re.compile(r"""([\w-]+)\s*=\s*("(?:[^"\\]|\\.)*"|'[^']*'|\{[^}]*\}|\[[^]]*\]|\S+)""")
@@ -50,8 +50,8 @@ def _frame(file: File, count: int, comment: str) -> Frame:
     source = "the species" if not has_types else "nothing: LAMMPS wrote types"
     kinds: list[Kind] = []
     if "label" in columns:
-        columns["kind"], texts = encode(columns.pop("label"))
-        kinds = [(name, (symbol if has_types else _element)(name)) for [name] in texts]
+        element = symbol if has_types else _element
+        columns["kind"], kinds = kinds_of(element, columns.pop("label"))
     return Frame(columns | {"line": lines}, "angstrom", kinds, source, said)
 
 

@@ -129,9 +129,9 @@ def test_gro_titles_may_be_blank(tmp_path):
 
 def test_gro_columns_that_moved_are_refused_though_they_are_numbers(tmp_path, capsys):
     lines = GRO.splitlines(keepends=True)
-    moved = "100000SOL    HW1100000 100.190 100.661 100.747\n"
+    moved = "100000SOL    HW1    21000.1901000.6611000.747\n"
     error = refusal(tmp_path, capsys, "a.gro", "".join([*lines[:3], moved, lines[4]]))
-    assert "line 4: x: '00 100.1' is not a number" in error
+    assert "line 4: x: '21000.19' is not a number with its point as above" in error
 
 
 # XYZ
@@ -142,6 +142,7 @@ def test_gro_columns_that_moved_are_refused_though_they_are_numbers(tmp_path, ca
     [
         ("Properties = species:S:1:pos:R:3:charge:R:1", [1.1]),
         ("properties=species:S:1:pos:R:3:charge:R:1", [1.1]),
+        ("properties=species:S:1:pos:R:3:radius:R:1", [0.43]),
         ("nothing is said", [1.1]),
         (
             'x="Properties=a" Properties="species:S:1:pos:R:3:radius:R:1"',

@@ -117,6 +117,19 @@ def test_choices(tmp_path, capsys, options, kept):
     assert f"chosen     {len(kept)} of 5 atoms" in capsys.readouterr().out
 
 
+def test_residues_by_number_need_numbers(tmp_path, capsys):
+    text = CIF.replace("_atom_site.auth_seq_id", "_atom_site.other")
+    assert xs(scene(tmp_path, "a.cif", text, "--residue", "ZN")) == [5]
+    (tmp_path / "out.npy").unlink()
+    capsys.readouterr()
+    assert "no atom has --residue 12" in refusal(tmp_path, capsys, "a.cif", text, "--residue", "12")
+
+
+def test_long_words_may_be_chosen_among(tmp_path):
+    text = CIF.replace("ATOM N N . ALA A 1 1.000", f"ATOM N N . {'A' * 100} A 1 1.000")
+    assert xs(scene(tmp_path, "a.cif", text, "--residue", "A" * 100)) == [1]
+
+
 def test_choices_of_pdb(tmp_path):
     text = atom(1) + atom(2)[:21] + "B  15" + atom(2)[26:] + atom(3)[:16] + "A" + atom(3)[17:]
     assert xs(scene(tmp_path, "a.pdb", text, "--chain", "B")) == [2]

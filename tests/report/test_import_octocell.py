@@ -32,6 +32,8 @@ def test_tables(tmp_path, name, content):
 
 def test_options_are_handed_on(tmp_path, capsys):
     same(scene(tmp_path, "a.txt", "0 0 0\n1 0 0\n", "--radius", "0.5")[:, 3], [0.5, 0.5])
+    assert main([str(tmp_path / "a.txt"), "--radius", "1", "--radius", "C=2"]) == 2
+    assert "--radius C=...: no atom is so called" in capsys.readouterr().err
     same(scene(tmp_path, "a.txt", "0 0 0 1\nnan 0 0 1\n", "--drop-invalid"), [[0, 0, 0, 1]])
     assert "octocell   " in capsys.readouterr().out
     np.save(tmp_path / "b.npy", np.array([[1, 2, 3, 4]], np.float32))
