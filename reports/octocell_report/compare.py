@@ -66,12 +66,23 @@ def interval(old: tuple[float, ...], new: tuple[float, ...]) -> tuple[float, flo
 _SAME = ("machine.", "libraries.", "gpu.name", "compiler", "flags", "instruction_set", "build_type")
 
 
+def _flat(value: Any, name: str = "") -> dict[str, Any]:
+    """Nested objects as one, by names joined with dots; values, huge integers too, as they are."""
+    if not isinstance(value, dict):
+        return {name: value}
+    return {
+        path: leaf
+        for key, inner in value.items()
+        for path, leaf in _flat(inner, f"{name}.{key}" if name else key).items()
+    }
+
+
 def warnings(old: Result, new: Result) -> list[str]:
     """Why a difference may not be the code's."""
-    before, after = (pd.json_normalize(result.context).iloc[0] for result in (old, new))
+    before, after = (_flat(result.context) for result in (old, new))
     found = [
         f"other {key.replace('.', ' ')}: {before.get(key)} / {after.get(key)}"
-        for key in before.index.union(after.index, sort=False)
+        for key in sorted(dict.fromkeys([*before, *after]), key=lambda key: key.count("."))
         if key.startswith(_SAME) and before.get(key) != after.get(key)
     ]
     for age, context in (("old", before), ("new", after)):
