@@ -156,7 +156,8 @@ def mdanalysis(kind: str) -> Callable[[str], Positions]:
     def mdanalysis(path: str) -> Positions:
         import MDAnalysis
 
-        return MDAnalysis.Universe(path, format=kind, topology_format=kind).atoms.positions
+        own = "PDBQT" if ".pdbqt" in path else kind  # its PDB ends at ENDROOT
+        return MDAnalysis.Universe(path, format=own, topology_format=own).atoms.positions
 
     return mdanalysis
 

@@ -13,7 +13,7 @@ from octocell_import import InputError, quote
 from octocell_import.decimals import Column, NotAFloat, to_float32, to_float64
 from octocell_import.elements import symbol, symbol_of_mass
 from octocell_import.frame import Frame, kinds_of
-from octocell_import.text import File, is_whole, whole_numbers
+from octocell_import.text import File, as_column, is_whole, whole_numbers
 
 Columns = dict[str, Column]
 STYLES = {
@@ -121,7 +121,7 @@ def _fits(names: list[str], words: list[Column], types: int, labels: set[bytes])
 
 
 def read_dump(file: File) -> Iterator[Frame]:
-    said: dict[str, list[str]] = {}  # of each ITEM its own line, and those that follow
+    said: dict[str, list[bytes]] = {}  # of each ITEM the lines that follow
     found = False
     while line := file.filled():
         if not line.startswith(b"ITEM: "):
@@ -133,24 +133,24 @@ def read_dump(file: File) -> Iterator[Frame]:
             said = {"UNITS": said["UNITS"]} if "UNITS" in said else {}  # stands once in a file
             found = True
         elif name:
-            lines = [file.line(f"the lines of ITEM: {name}") for _ in range(_ITEMS[name])]
-            said[name] = [item, *(line.decode("utf-8", "replace").strip() for line in lines)]
+            need = f"the lines of ITEM: {name}"
+            said[name] = [file.line(need).strip() for _ in range(_ITEMS[name])]
             if name == "NUMBER OF ATOMS":
-                file.count(lines[0], "number of atoms")
+                file.count(said[name][0], "number of atoms")
         else:
             file.refuse(f"an ITEM that is not known: {quote(line)}")
     if not found or set(said) - {"UNITS"}:
         raise InputError(f"ends after line {file.number}, before ITEM: ATOMS")
 
 
-def _dumped(file: File, said: dict[str, list[str]], names: list[str]) -> Frame:
+def _dumped(file: File, said: dict[str, list[bytes]], names: list[str]) -> Frame:
     title, xyz = file.number, next((place for place in _PLACES if set(place) <= set(names)), None)
     if xyz is None:
         file.refuse("ITEM: ATOMS has neither x y z nor xu yu zu nor xs ys zs")
     if "NUMBER OF ATOMS" not in said:
         file.refuse("ITEM: ATOMS without an ITEM: NUMBER OF ATOMS before it")
     own = [name if names.index(name) == k else f"{name} {k}" for k, name in enumerate(names)]
-    columns, lines = file.words(int(said["NUMBER OF ATOMS"][1]), own)
+    columns, lines = file.words(int(said["NUMBER OF ATOMS"][0]), own)
     for name, used in zip(names, own, strict=True):  # LIGGGHTS writes the type twice
         if (columns[name] != columns[used]).any():
             file.refuse(f"two columns are called {name}, and differ", title)
@@ -160,7 +160,8 @@ def _dumped(file: File, said: dict[str, list[str]], names: list[str]) -> Frame:
         places = _unscaled(file, said.get("BOX BOUNDS"), places, lines, title)
         about += ", scaled to the box in float64"
     columns |= dict(zip("xyz", places, strict=True)) | {"line": lines}
-    frame = _frame(file, columns, said.get("UNITS", ["", ""])[1], about)
+    unit = said.get("UNITS", [b""])[0].decode("ascii", "replace")
+    frame = _frame(file, columns, unit, about)
     for name, element in (("type", lambda kind: None), ("element", symbol)):  # the last one counts
         if name in frame.columns:
             frame.columns["kind"], frame.kinds = kinds_of(element, frame.columns.pop(name))
@@ -169,7 +170,7 @@ def _dumped(file: File, said: dict[str, list[str]], names: list[str]) -> Frame:
 
 
 def _unscaled(
-    file: File, box: list[str] | None, words: list[Column], lines: Column, title: int
+    file: File, box: list[bytes] | None, words: list[Column], lines: Column, title: int
 ) -> list[Column]:
     """Coordinates that were scaled to the box, whose edges may be tilted."""
     if box is None:
@@ -179,11 +180,11 @@ def _unscaled(
     except NotAFloat as error:
         file.refuse(str(error), lines[error.index])
     try:
-        rows = np.array([to_float64(np.array(line.encode().split(), "S")) for line in box[1:]])
-    except (NotAFloat, ValueError):  # the lines may also differ in length
+        rows = np.array([to_float64(as_column(line.split())) for line in box])
+    except (InputError, ValueError):  # the lines may also differ in length
         rows = np.empty(0)
     if rows.shape not in ((3, 2), (3, 3), (3, 4)):
-        file.refuse(f"box bounds are not numbers: {quote(' / '.join(box[1:]))}", title)
+        file.refuse(f"box bounds are not numbers: {quote(b' / '.join(box))}", title)
     if rows.shape == (3, 4):  # the edges, one a line, each with a coordinate of the origin
         edges, origin = rows[:, :3], rows[:, 3]
     else:  # the bounds enclose the tilts, too

@@ -47,7 +47,9 @@ def read(file: File) -> Iterator[Frame]:
             file.refuse(f"an atom outside of the loop _atom_site: {quote(line)}")
         before = before if _EMPTY.match(line) else line
     if not found:
-        raise InputError("no loop of _atom_site")
+        raise InputError(
+            "no loop of _atom_site (the CIF of a crystal, _atom_site_fract_x, has none)"
+        )
 
 
 def _read_loop(file: File, line: bytes, is_loop: bool) -> dict[str, Column]:

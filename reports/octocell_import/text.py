@@ -24,7 +24,8 @@ _WIDEST = 64  # bytes of a word; a column with longer ones holds objects, to sav
 
 
 class File:
-    """Lines keep their ends, so none is empty; `number` is the last one's, from 1.
+    """Lines keep their ends, so none is empty; `number` is the last one's, from 1, and `position`
+    is how many bytes are read, without a byte order mark.
 
     Errors name the line, but not the file, which the caller knows.
     """
@@ -40,32 +41,30 @@ class File:
         self._lines = iter(self._stream)
 
     def __iter__(self) -> Iterator[bytes]:
-        while line := next(self._lines, b""):
-            self.number += 1
-            yield line
+        return iter(self.line, b"")
 
     def line(self, before: str = "") -> bytes:
         """Returns the next line; at the end nothing, or refuses if `before` is what is missing."""
         line: bytes = next(self._lines, b"")
         self.number += bool(line)
+        self.position += len(line)
         if before and not line:
             raise InputError(f"ends after line {self.number}, before {before}")
         return line
 
     def some(self, count: int) -> list[bytes]:
         """Returns the next lines, fewer at the end."""
-        lines = list(islice(self._lines, count))
-        self.number += len(lines)
-        return lines
+        return list(islice(self, count))
 
     def give_back(self, lines: list[bytes]) -> None:
         """The next lines are these."""
         self._lines = chain(lines, self._lines)
         self.number -= len(lines)
+        self.position -= sum(map(len, lines))
 
     def filled(self) -> bytes:
         """Returns the next line that is not blank; nothing at the end."""
-        return next((line for line in self if line.strip()), b"")
+        return next(filter(bytes.strip, self), b"")
 
     def take(self, size: int, what: str) -> bytes:
         """Returns exactly that many bytes, of a file that is no text."""
@@ -74,7 +73,7 @@ class File:
             pieces.append(piece)
             size, self.position = size - len(piece), self.position + len(piece)
         if size > 0:
-            raise InputError(f"the file ends within {what}")
+            raise InputError(f"byte {self.position}: the file ends within {what}")
         return b"".join(pieces)
 
     def ended(self) -> bool:

@@ -129,11 +129,12 @@ def mmcif(content: bytes) -> Frames:
 def mmcif_atoms(content: bytes) -> gemmi.cif.Document:
     """The atoms of a document that has faults elsewhere, but no atoms."""
     start = rb"loop_\s*\n(\s*#[^\n]*\n|\s*\n)*\s*_atom_site"
-    loop = re.search(start + rb".*?(?=\n\s*(_(?!atom_site)|data_|loop_)|\Z)", content, re.DOTALL)
+    loop = re.search(start + rb".*?(?=\n\s*(_(?!atom_site\.)|data_|loop_)|\Z)", content, re.DOTALL)
     need(loop and content.lower().count(b"_atom_site.group") < 2)
     need(not re.search(rb"\n(ATOM|HETATM) ", content[: loop.start()] + content[loop.end() :]))
     try:
-        return gemmi.cif.read_string(b"data_x\n" + loop[0])
+        tags = loop[0].index(b"_atom_site")  # before them blanks that gemmi does not take for such
+        return gemmi.cif.read_string(b"data_x\nloop_\n" + loop[0][tags:])
     except (ValueError, RuntimeError) as error:
         raise Refused from error
 

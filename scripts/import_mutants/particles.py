@@ -38,7 +38,7 @@ def lammps_data(content: bytes) -> Frames:
                 need(atoms is None and count is not None)
                 next(lines, None)
                 names = STYLES.get(comment, "").split()
-                if not comment:
+                if len(comment.split()) != 1:  # a remark is no style: then columns may tell it
                     raise Unjudged
                 need(names)
                 atoms = {}

@@ -166,7 +166,8 @@ def test_ply_lists_may_stand_before_and_among_the_coordinates(tmp_path, capsys):
     same(scene(tmp_path, "a.ply", whole, "--radius", "1")[:, :3], [[1, 2, 3], [4, 5, 6]])
     (tmp_path / "out.npy").unlink()
     capsys.readouterr()
-    assert "ends within element vertex" in refusal(tmp_path, capsys, "a.ply", whole[:-1])
+    error = refusal(tmp_path, capsys, "a.ply", whole[:-1])
+    assert f"byte {len(whole) - 1}: the file ends within element vertex" in error
     assert "more follows" in refusal(tmp_path, capsys, "a.ply", whole + b"x")
 
 
