@@ -4,9 +4,11 @@ key, and by the order that the pairs come in."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from statistics import median
+from typing import Any
 
 import matplotlib.pyplot as plt
 import pandas as pd
@@ -25,75 +27,72 @@ _RATE = "10⁹ pairs a second"
 
 def draw_by_size(result: SortResult) -> Figure | None:
     """One facet per key width that was timed at most sizes, random order; None if nothing was."""
-    frame = result.frame[result.frame["order"] == "random"]
-    rows = frame[frame["status"] == "ok"]
-    sizes = rows.groupby("bits")["n"].transform("nunique")
-    rows = rows[(sizes == sizes.max()) | (sizes > 1)]
-    return _curves(result, rows, "n", "random order", _wrong(frame))
+    rows = result.frame[result.frame["order"] == "random"]
+    sizes = _timed(rows).groupby("bits")["n"].nunique()
+    shown = sizes.index[(sizes == sizes.max()) | (sizes > 1)]
+    title = "random order; higher is better"
+    return _draw(result, rows[rows["bits"].isin(shown)], "bits", title, partial(_lines, across="n"))
 
 
 def draw_by_bits(result: SortResult) -> Figure | None:
     """The largest size that was timed at most widths, random order; None if there is but one."""
-    frame = result.frame[result.frame["order"] == "random"]
-    rows = frame[frame["status"] == "ok"]
-    widths = rows.groupby("n")["bits"].transform("nunique")
-    size = rows["n"][widths == widths.max()].max()
-    rows = rows[(rows["n"] == size) & (widths > 1)].sort_values("bits")
-    wrong = _wrong(frame[frame["n"] == size])
-    return _curves(result, rows, "bits", "by the width of the key, random order", wrong)
-
-
-def _curves(
-    result: SortResult, rows: pd.DataFrame, across: str, title: str, wrong: pd.DataFrame
-) -> Figure | None:
-    """A line per sort; a facet per width over sizes, or per size over widths."""
-    if rows.empty:
-        return None
-    other, called = ("bits", "{}-bit keys") if across == "n" else ("n", "{} pairs")
-    shown = dict(list(rows.groupby(other)))
-    names = [called.format(_power(value) if other == "n" else value) for value in shown]
-    figure, axes = _grid(result, f"{title}; higher is better", names)
-    ticks = sorted(set(rows[across]))
-    for ax, (value, here) in zip(axes, shown.items(), strict=True):
-        for label, look in _looks(result).items():
-            of_sort = here[here["label"] == label].sort_values(across)
-            facets.band(ax, of_sort[across], of_sort["rates"], look)
-        if across == "n":
-            facets.logarithmic(ax, "x", "pairs", ticks, lambda n: _power(round(n)))
-        else:
-            ax.set(xticks=ticks, xlabel="bits of the key")
-        facets.logarithmic(ax, "y", _RATE)
-        _say_wrong(ax, wrong[wrong[other] == value])
-    return figure
+    rows = result.frame[result.frame["order"] == "random"]
+    widths = _timed(rows).groupby("n")["bits"].nunique()
+    size = widths.index[(widths == widths.max()) & (widths > 1)].max()
+    title = "by the width of the key, random order; higher is better"
+    return _draw(result, rows[rows["n"] == size], "n", title, partial(_lines, across="bits"))
 
 
 def draw_by_order(result: SortResult) -> Figure | None:
     """The largest size that was timed in several orders, one facet per key width."""
-    rows = result.frame[result.frame["status"] == "ok"]
-    rows = rows[rows.groupby(["n", "bits"])["order"].transform("nunique") > 1]
-    if rows.empty:
+    rows = result.frame
+    orders = _timed(rows).groupby(["n", "bits"])["order"].nunique().reset_index()
+    shown = orders[orders["order"] > 1]
+    shown = shown[shown["n"] == shown["n"].max()][["n", "bits"]]
+    title = "by the order that they come in; further right is better"
+    return _draw(result, rows.merge(shown, on=["n", "bits"]), "bits", title, _orders)
+
+
+def _timed(rows: pd.DataFrame) -> pd.DataFrame:
+    return rows[rows["status"] == "ok"]
+
+
+def _draw(
+    result: SortResult, rows: pd.DataFrame, by: str, title: str, draw: Callable[..., None]
+) -> Figure | None:
+    """A facet per value of a column; what must be known when the figure travels alone is below."""
+    timed, looks = _timed(rows), _looks(result)
+    if timed.empty:
         return None
-    size = rows["n"].max()
-    rows = rows[rows["n"] == size]
-    orders = [order for order in ORDERS if order in set(rows["order"])]
-    bits = dict(list(rows.groupby("bits")))
-    title = f"{_power(size)} pairs, by the order that they come in; further right is better"
-    figure, axes = _grid(result, title, [f"{width}-bit keys" for width in bits], len(orders))
-    for ax, (width, here) in zip(axes, bits.items(), strict=True):
-        _orders(ax, _looks(result), here, orders)
-        wrong = _wrong(result.frame)
-        _say_wrong(ax, wrong[(wrong["bits"] == width) & (wrong["n"] == size)])
+    shown, high = dict(list(timed.groupby(by))), timed["order"].nunique()
+    figure, axes = facets.grid(
+        f"Sorting pairs (32-bit key, 32-bit value), {title}\n"
+        "marks: median of the rounds; bands and bars: slowest to fastest round",
+        [_name(here) for here in shown.values()],
+        [high] * len(shown),
+        _LINES / high,
+        _COLUMNS,
+        [look.entry for look in looks.values()],
+        sharex=True,
+        sharey=True,
+    )
+    (legend,) = figure.legends
+    legend.set_title(_footnote(result))
+    legend.set_alignment("left")
+    legend.get_title().set(fontsize=style.SMALL, color=style.FAINT)
+    for ax, (value, here) in zip(axes, shown.items(), strict=True):
+        draw(ax, here, looks, timed)
+        wrong = rows["title"][(rows["status"] == "wrong") & (rows[by] == value)].unique()
+        if len(wrong):  # a wrong answer has no place on the axes
+            look: dict[str, Any] = {"ha": "center", "color": style.VERMILLION}
+            ax.text(0.5, 0.02, f"WRONG: {', '.join(wrong)}", transform=ax.transAxes, **look)
     return figure
-
-
-def _wrong(rows: pd.DataFrame) -> pd.DataFrame:
-    return rows[rows["status"] == "wrong"]
 
 
 def _looks(result: SortResult) -> dict[str, Look]:
     """One colour and marker per algorithm; several threads are dashed and hollow."""
     sorts, found = result.frame.drop_duplicates("label"), {}
-    timed = set(result.frame[result.frame["status"] == "ok"]["label"])
+    timed = set(_timed(result.frame)["label"])
     places = pd.factorize(sorts["algorithm"])[0]
     for place, sort in zip(places, sorts.itertuples(), strict=True):
         if sort.label in timed:
@@ -104,36 +103,36 @@ def _looks(result: SortResult) -> dict[str, Look]:
     return found
 
 
-def _grid(
-    result: SortResult, title: str, names: list[str], rows: int = 1
-) -> tuple[Figure, list[Axes]]:
-    """Below the facets stands what must be known when the figure travels alone."""
-    figure, axes = facets.grid(
-        f"Sorting pairs (32-bit key, 32-bit value), {title}\n"
-        "marks: median of the rounds; bands and bars: slowest to fastest round",
-        names,
-        [rows] * len(names),
-        _LINES / rows,
-        _COLUMNS,
-        [look.entry for look in _looks(result).values()],
-        **{"sharex": True, "sharey": True},
-    )
-    (legend,) = figure.legends
-    legend.set_title(_footnote(result))
-    legend.set_alignment("left")
-    legend.get_title().set(fontsize=style.SMALL, color=style.FAINT)
-    return figure, axes
+def _name(rows: pd.DataFrame) -> str:
+    """What is the same for all of them."""
+    widths = [f"{bits}-bit keys" for bits in rows["bits"].unique()]
+    sizes = [f"{_power(n)} pairs" for n in rows["n"].unique()]
+    return ", ".join(called[0] for called in (widths, sizes) if len(called) == 1)
 
 
-def _orders(ax: Axes, looks: dict[str, Look], rows: pd.DataFrame, orders: list[str]) -> None:
+def _lines(
+    ax: Axes, rows: pd.DataFrame, looks: dict[str, Look], every: pd.DataFrame, across: str
+) -> None:
+    for label, here in rows.sort_values(across).groupby("label"):
+        facets.band(ax, here[across], here["rates"], looks[label])
+    ticks = sorted(set(every[across]))
+    if across == "n":
+        facets.logarithmic(ax, "x", "pairs", ticks, lambda n: _power(round(n)))
+    else:
+        ax.set(xticks=ticks, xlabel="bits of the key")
+    facets.logarithmic(ax, "y", _RATE)
+
+
+def _orders(ax: Axes, rows: pd.DataFrame, looks: dict[str, Look], every: pd.DataFrame) -> None:
+    """A row per order; in it the sorts, one below the other."""
+    orders, labels = sorted(set(every["order"]), key=lambda o: (*ORDERS, o).index(o)), list(looks)
     facets.rows(ax, [order.replace("_", "\n") for order in orders])
-    for between in range(1, len(orders)):
-        ax.axhline(between - 0.5, color=style.GRID, linewidth=1)
-    labels = list(looks)
     for row in rows.itertuples():
         y = orders.index(row.order) - 0.4 + 0.8 * (labels.index(row.label) + 0.5) / len(labels)
-        low, *_, high = sorted(row.rates)
-        facets.interval(ax, y, low, median(row.rates), high, looks[row.label])
+        span = min(row.rates), median(row.rates), max(row.rates)
+        facets.interval(ax, y, *span, looks[row.label])
+    for between in range(1, len(orders)):
+        ax.axhline(between - 0.5, color=style.GRID, linewidth=1)
     facets.logarithmic(ax, "x", _RATE)
 
 
@@ -143,13 +142,6 @@ def _power(n: int) -> str:
     if n != 1 << exponent:
         return words.grouped(n)
     return f"2{str(exponent).translate(str.maketrans('0123456789', '⁰¹²³⁴⁵⁶⁷⁸⁹'))}"
-
-
-def _say_wrong(ax: Axes, rows: pd.DataFrame) -> None:
-    """A wrong answer has no place on the axes; its name stands in red on them."""
-    if len(rows):
-        text = f"WRONG: {', '.join(rows['title'].unique())}"
-        ax.text(0.5, 0.02, text, transform=ax.transAxes, ha="center", color=style.VERMILLION)
 
 
 def _footnote(result: SortResult) -> str:

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import cycle
 from typing import Any
 
 import matplotlib
@@ -85,7 +85,9 @@ class Look:
 def looks(result: Result) -> dict[str, Look]:
     """By label, in table order: the same for one implementation in every plot of one report."""
     impls = result.frame.drop_duplicates("label").sort_values("order")
-    titles, bases = words.titles(result), _bases(impls["backend"].unique())
+    titles, backends = words.titles(result), impls["backend"].unique()
+    left = cycle(c for c in COLOURS if c not in {_OURS.get(backend) for backend in backends})
+    bases = {backend: _OURS.get(backend) or next(left) for backend in backends}
     met: Counter[str] = Counter()
     found = {}
     for index, (backend, label) in enumerate(zip(impls["backend"], impls["label"], strict=True)):
@@ -96,14 +98,6 @@ def looks(result: Result) -> dict[str, Look]:
         found[label] = Look(titles[label], darker(base, shade), marker, line)
         met.update((backend, base))
     return found
-
-
-def _bases(backends: Iterable[str]) -> dict[str, str]:
-    """The colour of each backend; others than ours share one if there are too many."""
-    ours = {backend: _OURS[backend] for backend in backends if backend in _OURS}
-    left = [colour for colour in COLOURS if colour not in ours.values()]
-    others = [backend for backend in backends if backend not in ours]
-    return ours | {other: left[index % len(left)] for index, other in enumerate(others)}
 
 
 def darker(colour: str, by: float) -> str:

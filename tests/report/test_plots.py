@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import matplotlib.pyplot as plt
 import pytest
+from PIL import Image
 
-from octocell_report import plots
+from octocell_report import images, plots, style
 from octocell_report.error import Study
 from octocell_report.load import parse
 from octocell_report.plots import facets
@@ -135,6 +136,19 @@ def test_a_wrong_row_has_a_hollow_mark_and_no_line():
     hollow = lines["fcl_a   up to −2000 +0"]
     assert (hollow.get_linestyle(), hollow.get_markerfacecolor()) == ("None", "white")
     assert ax.get_xscale() == ax.get_yscale() == "log"
+
+
+def test_pale_and_rare_colours_are_kept_in_files(tmp_path):
+    figure, (ax,) = facets.grid("title", [""], [4])
+    ax.set_facecolor(style.APART_FILL)
+    ax.scatter(range(400), range(400), c=range(400))
+    ax.plot([300], [100], "s", color=style.VERMILLION)
+    images.write([("a", figure)], tmp_path)
+    plt.close(figure)
+    with Image.open(tmp_path / "a.png") as image:
+        counts = {colour: count for count, colour in image.convert("RGB").getcolors()}
+    assert min(counts[255, 255, 255], counts[0xF1, 0xF2, 0xF4]) > 10_000
+    assert counts[0xD5, 0x5E, 0x00] > 100
 
 
 def test_rows_beside_a_higher_facet_are_as_high():

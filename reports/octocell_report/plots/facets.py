@@ -94,10 +94,11 @@ def beside(ax: Axes, x: float, y: float, text: str, **look: Any) -> None:
     ax.annotate(text, (x, y), **known | look)
 
 
-def mark_wrong(bar: Rectangle, exact: bool) -> None:
-    """Pale and hatched where it is not exact."""
-    if not exact:
-        bar.set(hatch="////", edgecolor="white", alpha=0.55)
+def mark_wrong(bars: Iterable[Rectangle], exact: Iterable[bool]) -> None:
+    """Pale and hatched those that are not exact."""
+    for bar, right in zip(bars, exact, strict=True):
+        if not right:
+            bar.set(hatch="////", edgecolor="white", alpha=0.55)
 
 
 def linear(ax: Axes, label: str) -> None:

@@ -40,7 +40,6 @@ def _facet(ax: Axes, rows: pd.DataFrame, looks: dict[str, Look]) -> None:
     facets.rows(ax, [look.label for look in here])
     bars = ax.barh(range(len(rows)), needs, height=0.66, color=[look.colour for look in here])
     ax.bar_label(bars, list(map(words.grouped, needs)), padding=4, fontsize=style.SMALL)
-    for bar, exact in zip(bars, rows["counts"], strict=True):
-        facets.mark_wrong(bar, exact)
+    facets.mark_wrong(bars, rows["counts"])
     ax.set_xlim(min(0.0, 1.1 * needs.min()), 1.2 * max(needs.max(), 1.0))
     facets.linear(ax, "bytes per sphere")

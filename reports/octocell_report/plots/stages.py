@@ -102,8 +102,7 @@ def _bars(ax: Axes, names: list[str], rows: pd.DataFrame, parts: pd.DataFrame, e
         shares = shares.where((width > _LETTERS * end) & rows["counts"], "")
         ink = style.ink_on(colour)
         ax.bar_label(bars, shares, label_type="center", color=ink, fontsize=style.SMALL)
-        for bar, exact in zip(bars, rows["counts"], strict=True):
-            facets.mark_wrong(bar, exact)
+        facets.mark_wrong(bars, rows["counts"])
     for y, row in enumerate(rows.itertuples()):
         ink = style.INK if whole[row.Index] > 0 else style.FAINT
         text = _after(row, whole[row.Index], end)

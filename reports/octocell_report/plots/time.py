@@ -50,7 +50,7 @@ def _facet(ax: Axes, rows: pd.DataFrame, looks: dict[str, Look]) -> None:
     fits = {label: _power_law(here) for label, here in curves.items()}
     for label in sorted(curves, key=lambda label: -np.polyval(fits[label], np.log(sizes[-1]))):
         here, look = curves[label], looks[label]
-        slope = f"n^{fits[label][0]:.2f}" if len(here) > 1 else "one size"
+        slope = f"n^{fits[label][0]:.2f}" if here["n"].nunique() > 1 else "one size"
         facets.band(ax, here["n"], here["round_ms"], look, label=f"{look.label}   {slope}")
     for label, here in rows[~rows["counts"]].groupby("label", sort=False):
         _hollow(ax, here, looks[label])
@@ -61,12 +61,12 @@ def _facet(ax: Axes, rows: pd.DataFrame, looks: dict[str, Look]) -> None:
 
 def _power_law(rows: pd.DataFrame) -> Any:
     """b and log a of median_ms = a n^b by least squares on logarithms; b is 0 at one size."""
-    return np.polyfit(np.log(rows["n"]), np.log(rows["median_ms"]), min(1, len(rows) - 1))
+    return np.polyfit(np.log(rows["n"]), np.log(rows["median_ms"]), min(1, rows["n"].nunique() - 1))
 
 
 def _hollow(ax: Axes, rows: pd.DataFrame, look: Look) -> None:
     """Marks without a line for what is not exact; the worst of it stands in the legend."""
-    worst = max(rows.itertuples(), key=lambda row: (row.missed or 0) + (row.false or 0))
+    worst = rows.loc[rows[["missed", "false"]].fillna(0).sum(axis=1).idxmax()]
     told = words.losses(worst) if worst.status == "wrong" else "exact here"
     several = "up to " if len(rows) > 1 and worst.status == "wrong" else ""
     shape = look.dot | {"markerfacecolor": "white", "linestyle": "none", "markersize": 8}
