@@ -57,6 +57,9 @@ def _header(file: File) -> tuple[str, _Elements]:
             file.refuse(f"no sound PLY: two properties are called {quote(names[-1])}")
     if not order:
         file.refuse("no sound PLY: no format")
+    for name, (count, properties) in elements.items():
+        if count and not properties:
+            file.refuse(f"no sound PLY: element {quote(name)} has no properties")
     return order, elements
 
 
@@ -82,7 +85,8 @@ def _rows(
 
     for k in range(count):
         if order == _TEXT:
-            row += reversed(file.line(f"row {k + 1} of {count} of element {name}").split())
+            line = file.line(f"row {k + 1} of {count} of element {name}")
+            row += reversed(file.split(line))
         try:
             for own, code, length in properties:
                 found = cells(code, int(cells(length)[0]) if length else 1)

@@ -18,7 +18,7 @@ _NAMES = ("id", "label", "x", "y", "z", "radius", "parent")
 def read(file: File) -> Iterator[Frame]:
     rows, lines = [], []
     for line in file:
-        words = line.partition(b"#")[0].split()
+        words = file.split(line.partition(b"#")[0])
         if len(words) == len(_NAMES):
             rows.append(words)
             lines.append(file.number)

@@ -54,7 +54,10 @@ class File:
 
     def some(self, count: int) -> list[bytes]:
         """Returns the next lines, fewer at the end."""
-        return list(islice(self, count))
+        lines = list(islice(self._lines, count))
+        self.number += len(lines)
+        self.position += sum(map(len, lines))
+        return lines
 
     def give_back(self, lines: list[bytes]) -> None:
         """The next lines are these."""
@@ -83,6 +86,12 @@ class File:
         if not is_whole(word.strip()):
             self.refuse(f"{quote(word)} is no {what}")
         return int(word)
+
+    def split(self, line: bytes) -> list[bytes]:
+        """Returns the words of the line that was read last."""
+        if b"\0" in line:  # NumPy would strip it
+            self.refuse(f"a zero byte: {quote(line)}")
+        return line.split()
 
     def refuse(self, why: str, line: int = 0) -> NoReturn:
         raise InputError(f"line {line or self.number}: {why}")
@@ -113,10 +122,10 @@ class File:
                 lines = [line.partition(comment)[0] for line in lines]
             widths = [len(line.split()) if b"\0" not in line else 0 for line in lines]
             width = len(names) or max(least, widths[0])
-            for k, found in enumerate(widths, done - len(lines)):
+            for k, (line, found) in enumerate(zip(lines, widths, strict=True), done - len(lines)):
                 if found not in (width, width + more):
-                    why = f"atom {k + 1} of {count}: {found} words, expected {width}"
-                    self.refuse(why, before + k + 1)
+                    why = "a zero byte" if b"\0" in line else f"{found} words, expected {width}"
+                    self.refuse(f"atom {k + 1} of {count}: {why}", before + k + 1)
             if more:
                 lines = [b" ".join(line.split()[:width]) for line in lines]
             names = names or [str(k) for k in range(width)]

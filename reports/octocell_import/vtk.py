@@ -39,7 +39,7 @@ def read(file: File) -> Iterator[Frame]:
             return np.frombuffer(file.take(total * real.itemsize, f"{total} numbers"), real)
         words: list[bytes] = []
         while len(words) < total:
-            words += file.line(f"{total} numbers").split()
+            words += file.split(file.line(f"{total} numbers"))
         if len(words) > total:
             file.refuse(f"{len(words)} numbers, where {total} were expected")
         return as_column(words)

@@ -149,6 +149,7 @@ def ply(content: bytes) -> Frames:
     points: list[list[bytes]] = []
     names: list[str] = []
     for name, count, properties in elements:
+        need(properties or not count)
         read = text_rows if form == b"ascii" else partial(binary_rows, order=_ORDERS[form])
         found_rows, body = read(body, count, properties)
         if name == b"vertex":
@@ -167,7 +168,7 @@ def text_rows(body: bytes, count: int, properties: list) -> tuple[list, bytes]:
     for _ in range(count):
         need(body)
         line, _, body = body.partition(b"\n")
-        need(b"\0" not in line or any(own[0] == b"list" for own in properties))
+        need(b"\0" not in line)
         words, row = line.split(), []
         for own in properties:
             need(words)
@@ -202,7 +203,6 @@ def binary_rows(body: bytes, count: int, properties: list, order: str) -> tuple[
                 need(at <= len(body))
             else:
                 row.append(repr(next_value(_CODES[own[0]])).encode())
-        need(properties)
         found.append(row)
     return found, body[at:]
 
@@ -230,7 +230,7 @@ def vtk(content: bytes) -> Frames:
         if key == b"DATASET":
             need(len(words) == 2 and words[1].upper() == b"POLYDATA")
         elif key == b"POINTS":
-            need(len(words) == 3 and words[2] in (b"float", b"double"))
+            need(len(words) == 3 and words[2].lower() in (b"float", b"double"))
             flat = numbers(3 * whole(words[1]))
             xyz = [flat[k : k + 3] for k in range(0, len(flat), 3)]
         elif key == b"VERTICES":
@@ -240,10 +240,10 @@ def vtk(content: bytes) -> Frames:
             need(len(words) == 2)
             rows_of_data = words[1]
         elif key == b"VECTORS":
-            need(len(words) == 3 and words[2] == b"float")
+            need(len(words) == 3 and words[2].lower() == b"float")
             numbers(3 * whole(rows_of_data))
         elif key == b"SCALARS":
-            need(len(words) in (3, 4) and words[2] == b"float")
+            need(len(words) in (3, 4) and words[2].lower() == b"float")
             need(take(lines).upper().startswith(b"LOOKUP_TABLE"))
             many = whole(words[3]) if len(words) == 4 else 1
             found = numbers(whole(rows_of_data) * many)
@@ -267,8 +267,8 @@ def trr(content: bytes) -> Frames:
         start = at + 76 + 2 * width + sum(sizes[:7])
         at = at + 76 + 2 * width + sum(sizes)
         need(at <= len(content))
-        real = np.frombuffer(content[start : start + sizes[7]], f">f{width}").astype(float)
         with np.errstate(all="ignore"):
+            real = np.frombuffer(content[start : start + sizes[7]], f">f{width}").astype(float)
             need(np.isfinite((real * 10).astype(np.float32)).all())
         if sizes[7]:
             frames.append((real.reshape(-1, 3) * 10).tolist())

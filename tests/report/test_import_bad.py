@@ -155,6 +155,18 @@ CASES = {
         PLAIN_PLY.replace("3 1\n", "3 -1\n"),
         "line 11: radius -1 is negative",
     ),
+    "ply, no properties": (
+        "a.ply",
+        PLAIN_PLY.replace("element face", "element empty 3\nelement face"),
+        "line 11: no sound PLY: element 'empty' has no properties",
+    ),
+    "xyz, zero byte": ("a.xyz", "1\nc\nC 1 2 3\0\n", "line 3: atom 1 of 1: a zero byte"),
+    "swc, zero byte": ("a.swc", "# x\n1 1 0 0 0 1\0 -1\n", "line 2: a zero byte"),
+    "vtk, zero byte": (
+        "a.vtk",
+        "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n1 2\0 3\n",
+        "line 6: a zero byte",
+    ),
     "trr, no names": ("a.trr", trr_frame([(1, 2, 3)]), "give --radius R, or --topology FILE"),
     "trr, cut": ("a.trr", trr_frame([(1, 2, 3)])[:-1], "byte 131: the file ends within the coor"),
     "trr, cut later": (
