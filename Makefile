@@ -10,7 +10,7 @@ FRAME_SEQUENCES ?= 200000
 # How long `make fuzz` runs each of its targets.
 FUZZ_SECONDS ?= 300
 PUBLISHED := reports/results/epyc-zen5-2core/quick.json.gz
-PAGES := README.md README.zh-CN.md docs/results.md docs/guarantee.md
+PAGES := README.md README.zh-CN.md docs/results.md docs/guarantee.md docs/how_to/import_files.md
 # Machine code for the common GPUs from Turing on; the last entry's PTX serves what is newer.
 GPUS ?= 75-real 80-real 86-real 89-real 90
 # ON: `make bundle` packs the build with planted faults instead.

@@ -1,26 +1,35 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Times octocell-import on a million atoms of each format, and prints the table of the how-to."""
+"""Times octocell-import on a million atoms of each format, into docs/how_to/import_speed.json.
 
+`make readme` writes the table of docs/how_to/import_files.md from that.
+
+  scripts/time_import.py             # two minutes
+"""
+
+import json
 import os
+import platform
+import re
 import struct
 import subprocess
 import sys
 import tempfile
+from datetime import date
+from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
 
 # In a small process, for a child's peak is at least what its parent has.
 WATCH = """
-import resource, subprocess, sys, time
-start = time.monotonic()
+import resource, subprocess, sys
 subprocess.run(sys.argv[1:], check=True, stdout=subprocess.DEVNULL)
 used = resource.getrusage(resource.RUSAGE_CHILDREN)
-cpu, wall = used.ru_utime + used.ru_stime, time.monotonic() - start
-print(f"{cpu:.1f} {wall:.1f} {used.ru_maxrss // 1024}")
+print(used.ru_utime + used.ru_stime, used.ru_maxrss << 10)
 """
 ROOT = Path(__file__).resolve().parent.parent
+OUTPUT = ROOT / "docs/how_to/import_speed.json"
 COUNT = 1_000_000
 XYZ = np.random.default_rng(1).uniform(-400, 900, (COUNT, 3)).round(3)
 NAMES = ("N", "CA", "C", "O", "CB")
@@ -52,15 +61,15 @@ FILES = {
     "pdb": lambda: lines(
         "ATOM  {r:5} {n:>3}  ALA A{r:4}    {x:8.3f}{y:8.3f}{z:8.3f}  1.00  0.00          {e:>2}\n"
     ),
-    "cif": lambda: "data_x\nloop_\n"
+    "mmcif": lambda: "data_x\nloop_\n"
     + "".join(f"_atom_site.{tag}\n" for tag in CIF.split())
     + lines("ATOM {k} {e} {n} . ALA A 1 {r} ? {x} {y} {z} 1.00 20.00 {r} A 1\n"),
     "xyz": lambda: f"{COUNT}\nx\n" + lines("{e} {x} {y} {z}\n"),
     "gro": lambda: f"t\n{COUNT}\n"
     + lines("{r:5}ALA  {n:>5}{r:5}{x:8.3f}{y:8.3f}{z:8.3f}\n")
     + "1 1 1\n",
-    "dump": lambda: ITEMS + lines("{k} 1 {x} {y} {z} 0.5 0.1 0.2 0.3\n"),
-    "data": lambda: DATA + lines("{k} 1 1.0 2500 {x} {y} {z}\n"),
+    "lammps-dump": lambda: ITEMS + lines("{k} 1 {x} {y} {z} 0.5 0.1 0.2 0.3\n"),
+    "lammps-data": lambda: DATA + lines("{k} 1 1.0 2500 {x} {y} {z}\n"),
     "ply": lambda: PLY + lines("{x} {y} {z} 0.5\n"),
     "vtk": lambda: VTK + lines("{x} {y} {z}\n") + RADII,
     "swc": lambda: lines("{k} 1 {x} {y} {z} 0.5 -1\n"),
@@ -69,25 +78,41 @@ FILES = {
 
 
 def main() -> int:
-    print("| suffix | MB | CPU seconds | seconds | peak MB |\n|---|---|---|---|---|")
+    rows = []
     with tempfile.TemporaryDirectory() as folder:
-        for suffix in sys.argv[1:] or FILES:
-            path = Path(folder, f"a.{suffix}")
-            content = FILES[suffix]()
-            path.write_bytes(content if isinstance(content, bytes) else content.encode())
-            del content
-            print(row(path), flush=True)
+        for name, content in FILES.items():
+            path = Path(folder, name)
+            made = content()
+            path.write_bytes(made if isinstance(made, bytes) else made.encode())
+            del made
+            rows.append(row(name, path))
+            print(rows[-1], flush=True)
             path.unlink()
+    machine = {"cpu": cpu(), "cores": os.cpu_count(), "os": os_name()}
+    versions = {"Python": platform.python_version(), "NumPy": version("numpy")}
+    document = {"date": date.today().isoformat(), "machine": machine}
+    document |= {"versions": versions | {"gemmi": version("gemmi")}, "atoms": COUNT, "rows": rows}
+    OUTPUT.write_text(json.dumps(document, indent=1) + "\n")
     return 0
 
 
-def row(path: Path) -> str:
-    command = [sys.executable, "-m", "octocell_import", str(path)]
-    command += ["--radius", "1"] if path.suffix == ".trr" else []
+def row(name: str, path: Path) -> dict[str, object]:
+    command = [sys.executable, "-m", "octocell_import", str(path), "--format", name]
+    command += ["-o", f"{path}.npy", *["--radius", "1"] * (name == "trr")]
     environment = os.environ | {"PYTHONPATH": str(ROOT / "reports")}
     watched = [sys.executable, "-c", WATCH, *command]
-    cpu, wall, peak = subprocess.check_output(watched, env=environment, text=True).split()
-    return f"| {path.suffix} | {path.stat().st_size / 1e6:.0f} | {cpu} | {wall} | {peak} |"
+    seconds, peak = subprocess.check_output(watched, env=environment, text=True).split()
+    measured = {"cpu_seconds": round(float(seconds), 2), "peak_bytes": int(peak)}
+    return {"format": name, "file_bytes": path.stat().st_size} | measured
+
+
+def cpu() -> str:
+    found = re.search(r"^model name\s*: (.+)$", Path("/proc/cpuinfo").read_text(), re.MULTILINE)
+    return found[1] if found else platform.machine()
+
+
+def os_name() -> str:
+    return platform.freedesktop_os_release()["PRETTY_NAME"]
 
 
 if __name__ == "__main__":

@@ -28,8 +28,8 @@ STYLES = {
     "dipole": "id type q x y z mux muy muz",
     "electron": "id type q spin eradius x y z",
 }
-_GUESSES = {False: {5: "atomic", 8: "atomic"}}  # by the number of columns; True: there are bonds
-_GUESSES[True] = _GUESSES[False] | {6: "molecular", 7: "full", 9: "molecular", 10: "full"}
+# Styles that may be guessed, with bonds and without; those of other columns only forbid a guess.
+_GUESSES = {True: {STYLES["molecular"], STYLES["full"]}, False: {STYLES["atomic"]}}
 _WHOLE = {"id", "mol", "spin", "nx", "ny", "nz"}
 _ADVICE = f"give --atom-style: {', '.join(STYLES)}, or the columns' names: 'id type x y z radius'"
 _INTEGER = re.compile(rb"[-+]?\d+")
@@ -89,7 +89,7 @@ def _atoms(
     file: File, counts: dict[str, int], labels: set[bytes], given: str, said: str
 ) -> tuple[Columns, str]:
     """The section's columns by name, and how the names were found."""
-    first, style = file.number + 1, given or said
+    first, style = file.number + 1, given or said.rpartition(": ")[2]  # Atoms # full: id mol ...
     names, how = STYLES.get(style, "").split(), f"atom style {style}"
     if " " in style and {"x", "y", "z", "type"} <= set(style.split()):
         names, how = style.split(), "as given"
@@ -98,12 +98,13 @@ def _atoms(
     more = 3 * bool(names)  # image flags
     columns, lines = file.words(counts["atoms"], names, least=5, more=more, comment=b"#")
     if not names:  # Atoms # some remark: LAMMPS takes that for a style, but people write it
-        words, has_bonds = list(columns.values()), counts.get("bonds")
-        names = STYLES.get(_GUESSES[bool(has_bonds)].get(len(words), ""), "").split()
-        styles = [s.split() for s in STYLES.values() if "mol" in s or not has_bonds]
-        fitting = [s for s in styles if _fits(s, words, counts.get("atom types", 0), labels)]
-        if not fitting or any(style != names for style in fitting):
+        words, has_bonds = list(columns.values()), bool(counts.get("bonds"))
+        styles = {s for s in STYLES.values() if "mol" in s or not has_bonds}
+        types = counts.get("atom types", 0)
+        fitting = {s for s in styles if _fits(s.split(), words, types, labels)}
+        if len(fitting) != 1 or not fitting <= _GUESSES[has_bonds]:
             file.refuse(f"{len(words)} columns and no atom style in the file; {_ADVICE}", first)
+        names = fitting.pop().split()
         columns = dict(zip(names, words, strict=False))
         how = "no other style that is known here fits"
     return columns | {"line": lines}, f"columns    {' '.join(names)} ({how})"

@@ -19,6 +19,7 @@ from octocell_import.text import File, as_column
 
 _PREFIX = b"_atom_site."
 _END = re.compile(rb"^;.*?\n;|^\s*(_|loop_|data_|save_|global_)", re.I | re.M | re.S)
+_ATOMS = (b"ATOM ", b"HETATM ")
 _EMPTY = re.compile(rb"\s*(#|$)")
 _CHUNK = 20_000  # lines
 # Of two names the first that the file has.
@@ -43,7 +44,7 @@ def read(file: File) -> Iterator[Frame]:
                 of_model = models == models[first]
                 atoms = {name: column[of_model] for name, column in columns.items()}
                 yield molecule(atoms, "type_symbol", element_of, models[first].decode())
-        elif not is_text and line.startswith((b"ATOM ", b"HETATM ")):
+        elif not is_text and line.startswith(_ATOMS):
             file.refuse(f"an atom outside of the loop _atom_site: {quote(line)}")
         before = before if _EMPTY.match(line) else line
     if not found:
@@ -63,7 +64,9 @@ def _read_loop(file: File, line: bytes, is_loop: bool) -> dict[str, Column]:
     while more := file.some(size):
         rows += more
         text = b"".join(rows)
-        end = next((text.count(b"\n", 0, m.start()) for m in _END.finditer(text) if m[1]), None)
+        may_end = not all(row.startswith(_ATOMS) for row in rows)
+        ends = (m.start() for m in _END.finditer(text) if m[1]) if may_end else iter(())
+        end = next((text.count(b"\n", 0, start) for start in ends), None)
         if end is not None:
             file.give_back(rows[end:])
             rows = rows[:end]
@@ -97,10 +100,12 @@ def _parse(head: bytes, rows: list[bytes], last: int) -> dict[str, Column]:
             raise InputError(f"line {before}: _atom_site has no Cartn_{name}")
     if len(set(map(len, columns.values()))) > 1:
         raise InputError(f"line {before + 1}: a value of _atom_site has several lines")
-    lines = [before + k for k, row in enumerate(rows, 1) if not _EMPTY.match(row)]
+    lines: Column = before + 1 + np.arange(len(rows))
+    if len(lines) != len(columns["x"]):
+        lines = lines[[not _EMPTY.match(row) for row in rows]]
     if len(lines) != len(columns["x"]):  # rows may have several lines
-        lines = [before + 1] * len(columns["x"])
-    return columns | {"line": np.array(lines)}
+        lines = np.full(len(columns["x"]), before + 1)
+    return columns | {"line": lines}
 
 
 def _column(values: list[str]) -> Column:

@@ -57,8 +57,8 @@ def _header(file: File) -> tuple[str, _Elements]:
             file.refuse(f"no sound PLY: two properties are called {quote(names[-1])}")
     if not order:
         file.refuse("no sound PLY: no format")
-    for name, (count, properties) in elements.items():
-        if count and not properties:
+    for name, (rows, properties) in elements.items():
+        if rows and not properties:
             file.refuse(f"no sound PLY: element {quote(name)} has no properties")
     return order, elements
 

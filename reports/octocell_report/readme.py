@@ -22,6 +22,7 @@ from octocell_report import (
     readme_bench,
     readme_gpu,
     readme_guarantee,
+    readme_import,
     sort,
     verification,
 )
@@ -54,6 +55,9 @@ BLOCKS: dict[str, tuple[Callable[[Path], Any], Callable[[Any], str | Said]]] = {
     "front_gpu_zh": (load, readme_gpu.front),
     "front_wrong": (verification.read, readme_guarantee.front),
     "front_wrong_zh": (verification.read, readme_guarantee.front),
+    "import_readers": (readme_import.read_requirements, readme_import.readers),
+    "import_speed": (readme_import.read_speed, readme_import.speed),
+    "import_comparison": (readme_import.read_comparison, readme_import.comparison),
     "guarantee": (verification.read, readme_guarantee.guarantee),
     "guarantee_near_tangent": (
         verification.read,

@@ -113,10 +113,12 @@ def mmcif(content: bytes) -> Frames:
         document = mmcif_atoms(content)
     frames: dict[tuple[str, bytes], list] = {}
     for block in document:
-        columns = [
-            [gemmi.cif.as_string(word).encode() for word in block.find_values("_atom_site." + tag)]
-            for tag in ("Cartn_x", "Cartn_y", "Cartn_z", "pdbx_PDB_model_num")
-        ]
+        tags = ("Cartn_x", "Cartn_y", "Cartn_z", "pdbx_PDB_model_num")
+        try:
+            columns = [list(block.find_values(f"_atom_site.{tag}")) for tag in tags]
+        except UnicodeDecodeError as error:
+            raise Refused from error
+        columns = [[gemmi.cif.as_string(w).encode() for w in column] for column in columns]
         count = max(map(len, columns))
         columns[3] = columns[3] or [b""] * count
         need(all(len(column) == count for column in columns))

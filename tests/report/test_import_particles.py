@@ -61,6 +61,14 @@ def test_a_style_of_columns_may_have_a_radius(tmp_path):
     same(scene(tmp_path, "a.data", text, *options)[:, 3], [0.5, 0.25])
 
 
+def test_columns_may_be_named_behind_the_style(tmp_path, capsys):
+    text = DATA.format(
+        style="# odd: id q type x y z", bonds="", first="7 1 1 2 3", second="7 2 4 5 6"
+    )
+    same(scene(tmp_path, "a.data", text), [[1, 2, 3, 1.7], [4, 5, 6, 1.52]])
+    assert "columns    id q type x y z (as given)" in capsys.readouterr().out
+
+
 def test_data_of_no_atoms_is_a_scene_of_no_spheres(tmp_path):
     assert len(scene(tmp_path, "a.data", "title\n\n0 atoms\n1 atom types\n")) == 0
 
