@@ -28,6 +28,7 @@ constexpr NamedCommand kCommands[] = {
     {"explain", add_explain},
     {"why", add_why},
     {"generate", add_generate},
+    {"judge", OCTOCELL_UNLESS_USERS_BUILD(add_judge)},
     {"check", OCTOCELL_UNLESS_USERS_BUILD(add_check)},
     {"bench", OCTOCELL_UNLESS_USERS_BUILD(add_bench)},
     {"bench-sort", OCTOCELL_UNLESS_USERS_BUILD(add_bench_sort)},

@@ -20,6 +20,7 @@ void add_explain(CLI::App& sub, Command& command);
 void add_why(CLI::App& sub, Command& command);
 void add_generate(CLI::App& sub, Command& command);
 // Not in a build without FCL, Bullet, GMP and Google Benchmark:
+void add_judge(CLI::App& sub, Command& command);
 void add_check(CLI::App& sub, Command& command);
 void add_bench(CLI::App& sub, Command& command);
 void add_bench_sort(CLI::App& sub, Command& command);

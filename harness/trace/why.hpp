@@ -15,6 +15,7 @@
 #include "core/grid.hpp"
 #include "core/plan.hpp"
 #include "core/sphere.hpp"
+#include "harness/trace/text_rule.hpp"
 
 namespace octocell::trace {
 
@@ -53,12 +54,6 @@ struct Overlap {
   std::string radius_sum2;  // (r + r')^2, likewise
   double distance;
   double radius_sum;
-};
-
-/// Which of the course text's mistakes loses the pair, or gives it twice.
-struct Flaw {
-  std::string_view name;
-  std::string_view explanation;
 };
 
 struct Account {

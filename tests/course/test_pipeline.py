@@ -18,10 +18,10 @@ import pytest
 from exact import exact_pairs
 from hard_scenes import SCENES as HARD_SCENES
 from hard_scenes import Spheres
+from pipeline_steps import PIPELINE, STEPS, build, pairs_of, printed
 from program import ROOT, Octocell
 
-PIPELINE, SCENES = ROOT / "course/pipeline", ROOT / "course/scenes"
-STEPS = sorted(PIPELINE.glob("[1-8]_*.cpp"))
+SCENES = ROOT / "course/scenes"
 # By scene: what each step loses (-) or gives twice (+); a full stop where it is exact.
 LOSSES = {
     "eight": "-2 -2 -2 . . . . .",
@@ -37,39 +37,11 @@ NOT_A_SPHERE = "not four finite numbers x,y,z,r, r >= 0"
 MOST_CHANGED = 125  # lines of a step that differ from the one before, removed and added
 
 
-def command_of(source: Path) -> list[str]:
-    """The command that stands at the top of the file."""
-    found = re.search(r"^//   ((?:g\+\+|nvcc) .*)$", source.read_text(encoding="utf-8"), re.M)
-    assert found, f"{source}: says no command"
-    return found[1].split()
-
-
-def build(source: Path, folder: Path) -> Path:
-    command = command_of(source)
-    program = folder / command[-1]
-    done = subprocess.run(
-        [*command[:-1], program], cwd=PIPELINE, capture_output=True, text=True, check=False
-    )
-    assert (done.returncode, done.stderr) == (0, ""), done.stderr
-    return program
-
-
 @pytest.fixture(scope="module")
 def programs(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
     folder = tmp_path_factory.mktemp("pipeline")
     with ThreadPoolExecutor(2) as pool:
         return list(pool.map(lambda source: build(source, folder), STEPS))
-
-
-def printed(program: Path, scene: Path) -> str:
-    done = subprocess.run([program, scene], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    return done.stdout
-
-
-def pairs_of(text: str) -> list[tuple[int, int]]:
-    body = text[re.search(r"^\d+ pairs$", text, re.M).end() :]  # type: ignore[union-attr]
-    return [(int(i), int(j)) for i, j in re.findall(r"^  (\d+) (\d+)$", body, re.M)]
 
 
 def write(spheres: Spheres, path: Path) -> Path:

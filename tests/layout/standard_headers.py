@@ -18,9 +18,9 @@ HEADERS = {
     " shuffle sort stable_sort transform upper_bound"
     " ranges::adjacent_find ranges::all_of ranges::any_of ranges::copy ranges::count"
     " ranges::count_if ranges::equal ranges::fill ranges::find ranges::find_if"
-    " ranges::lower_bound ranges::minmax_element ranges::none_of"
-    " ranges::replace ranges::sort ranges::stable_partition"
-    " ranges::stable_sort ranges::upper_bound",
+    " ranges::lower_bound ranges::max_element ranges::minmax_element ranges::none_of"
+    " ranges::replace ranges::reverse ranges::set_difference ranges::set_intersection ranges::sort"
+    " ranges::stable_partition ranges::stable_sort ranges::unique ranges::upper_bound",
     "array": "array",
     "atomic": "atomic memory_order_relaxed",
     "bit": "bit_cast bit_width countr_zero endian has_single_bit popcount",
@@ -28,19 +28,19 @@ HEADERS = {
     "charconv": "from_chars",
     "chrono": "chrono chrono_literals",
     "cmath": "abs cbrt ceil cos exp exp2 fabs floor fma fmod frexp hypot ilogb isfinite isinf isnan"
-    " ldexp log10 log2 lround nanf nextafter pow rint round signbit sin sqrt",
+    " ldexp log log10 log2 lround nanf nextafter pow rint round signbit sin sqrt",
     "csignal": "raise sig_atomic_t signal",
     "cstddef": "byte max_align_t nullptr_t ptrdiff_t size_t to_integer",
     "cstdint": "int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t",
     "cstdio": "ferror fflush fprintf fputs printf rename sscanf",
     "cstdlib": "abort aligned_alloc atexit exit free getenv strtof strtoull",
-    "cstring": "memcmp memcpy strerror",
+    "cstring": "memcmp memcpy strerror strlen",
     "deque": "deque",
     "exception": "current_exception exception exception_ptr rethrow_exception set_terminate",
     "experimental/simd": "experimental",
     "filesystem": "filesystem",
     "fstream": "ifstream ofstream",
-    "functional": "function greater",
+    "functional": "function greater ranges::greater",
     "initializer_list": "initializer_list",
     "ios": "hexfloat ios streamsize",
     "iostream": "cerr cout",
@@ -67,7 +67,7 @@ HEADERS = {
     "string_view": "string_view",
     "system_error": "errc error_code system_error",
     "thread": "jthread this_thread thread",
-    "tuple": "tie tuple",
+    "tuple": "ignore tie tuple",
     "type_traits": "conditional_t is_default_constructible_v is_same_v",
     "unordered_map": "unordered_map",
     "utility": "exchange index_sequence make_index_sequence move pair swap",

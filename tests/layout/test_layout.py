@@ -42,6 +42,14 @@ MAY_INCLUDE: dict[str, tuple[str, ...]] = {
         "harness/engine/",
         "harness/verify/reference/",
     ),
+    "harness/judge/": (
+        "core/",
+        "core/planner/",
+        "harness/scenes/",
+        "harness/files/",
+        "harness/trace/",
+        "harness/verify/reference/",
+    ),
     "harness/bench/": (
         "core/",
         "core/planner/",
