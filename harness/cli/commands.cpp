@@ -29,11 +29,15 @@ constexpr NamedCommand kCommands[] = {
     {"why", add_why},
     {"generate", add_generate},
     {"judge", OCTOCELL_UNLESS_USERS_BUILD(add_judge)},
+    {"try", OCTOCELL_UNLESS_USERS_BUILD(add_try)},
     {"check", OCTOCELL_UNLESS_USERS_BUILD(add_check)},
     {"bench", OCTOCELL_UNLESS_USERS_BUILD(add_bench)},
     {"bench-sort", OCTOCELL_UNLESS_USERS_BUILD(add_bench_sort)},
     {"stress", OCTOCELL_UNLESS_USERS_BUILD(add_stress)},
     {"near-tangent", OCTOCELL_UNLESS_USERS_BUILD(add_near_tangent)},
+#ifdef OCTOCELL_DEVELOPER
+    {"run-hand-in", add_run_hand_in},
+#endif
 };
 
 /// Makes the name known, so that the error says why it cannot be used.

@@ -21,6 +21,8 @@ void add_why(CLI::App& sub, Command& command);
 void add_generate(CLI::App& sub, Command& command);
 // Not in a build without FCL, Bullet, GMP and Google Benchmark:
 void add_judge(CLI::App& sub, Command& command);
+void add_try(CLI::App& sub, Command& command);
+void add_run_hand_in(CLI::App& sub, Command& command);
 void add_check(CLI::App& sub, Command& command);
 void add_bench(CLI::App& sub, Command& command);
 void add_bench_sort(CLI::App& sub, Command& command);

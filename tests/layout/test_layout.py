@@ -50,6 +50,14 @@ MAY_INCLUDE: dict[str, tuple[str, ...]] = {
         "harness/trace/",
         "harness/verify/reference/",
     ),
+    "harness/try/": (
+        "core/",
+        "harness/scenes/",
+        "harness/files/",
+        "harness/judge/",
+        "harness/verify/reference/",
+        "include/",
+    ),
     "harness/bench/": (
         "core/",
         "core/planner/",

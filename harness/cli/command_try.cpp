@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "harness/cli/commands.hpp"
+#include "harness/files/json_text.hpp"
+#include "harness/try/library_runner.hpp"
+#include "harness/try/try.hpp"
+
+namespace octocell::cli {
+namespace {
+
+struct Options {
+  hand_in::Options trial;
+  bool json = false;
+};
+
+void require_positive(std::string_view option, double value) {
+  if (!(value > 0.0) || value > 1e6)
+    throw InputError(fmt::format("{} {}: must be above 0 and at most 1e6", option, value));
+}
+
+int exit_code_of(const hand_in::Trial& trial) {
+  if (trial.verdict == "exact") return 0;
+  return trial.wrong ? kExitWrongAnswer : kExitBadInput;
+}
+
+int try_file(const Options& options) {
+  require_positive("--budget", options.trial.budget_s);
+  require_positive("--timeout", options.trial.timeout_s);
+  require_positive("--memory", options.trial.memory_gib);
+  const hand_in::Trial trial = hand_in::try_hand_in(options.trial);
+  const std::string file = printable(options.trial.file);
+  if (options.json) {
+    fmt::print("{}\n", json_text(hand_in::to_json(trial, file), 2));
+  } else {
+    fmt::print("{}", hand_in::to_text(trial, file));
+  }
+  return exit_code_of(trial);
+}
+
+}  // namespace
+
+void add_try(CLI::App& sub, Command& command) {
+  auto o = std::make_shared<Options>();
+  hand_in::Options& trial = o->trial;
+  sub.description("Try a broad phase of yours: is it exact, and if not, why?");
+  sub.add_option("FILE", trial.file,
+                 "find_pairs in C++ (.cpp), CUDA (.cu), a shared library (.so) or Python (.py)")
+      ->required();
+  sub.add_option("--budget", trial.budget_s, "Seconds after which no larger scene begins (20)");
+  sub.add_option("--timeout", trial.timeout_s, "Seconds for one scene (10)");
+  sub.add_option("--memory", trial.memory_gib, "GiB of resident memory for its process (4)");
+  sub.add_option("--seed", trial.seed, "Of the scenes (1)");
+  sub.add_option("--python", trial.python, "The interpreter of .py files (python3)");
+  sub.add_flag("--json", o->json, "Print JSON");
+  sub.callback([&command, o] { command = [o] { return try_file(*o); }; });
+}
+
+void add_run_hand_in(CLI::App& sub, Command& command) {
+  auto library = std::make_shared<std::string>();
+  sub.group("");  // for `try` alone: it speaks the protocol of harness/try
+  sub.add_option("LIBRARY", *library)->required();
+  sub.callback(
+      [&command, library] { command = [library] { return hand_in::run_library(*library); }; });
+}
+
+}  // namespace octocell::cli

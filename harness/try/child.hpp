@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// The process of a hand-in, with limits. A crash, a hang or a lie there harms nothing here.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/sphere.hpp"
+#include "harness/files/load_pairs.hpp"
+#include "harness/try/protocol.hpp"
+
+namespace octocell::hand_in {
+
+/// Why a hand-in cannot be judged: "crashed", "hangs", "out of memory", "fails", "prints too much".
+struct CannotJudge : Error {
+  CannotJudge(std::string why, std::string text) : Error(std::move(text)), kind(std::move(why)) {}
+  std::string kind;
+  std::string printed = {};  // the end of what was printed before
+};
+
+struct Limits {
+  double memory_bytes;                  // resident, of the process and of those that it started
+  std::chrono::duration<double> start;  // to load the hand-in
+  std::uint64_t printed_bytes = std::uint64_t{16} << 20;
+};
+
+class Child {
+ public:
+  /// Starts the program and waits until it is ready. Throws CannotJudge; LimitError if no process
+  /// can be started.
+  Child(const std::vector<std::string>& command, const Limits& limits);
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  ~Child();
+
+  /// Throws CannotJudge if there is no proper answer in time. Then nothing more can be asked.
+  std::vector<ListedPair> ask(std::span<const Sphere> spheres, std::uint64_t capacity,
+                              std::uint64_t most_pairs, std::chrono::duration<double> limit);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void start(const std::vector<std::string>& command);
+  /// Calls `talk`; if that fails, adds what was printed.
+  std::vector<ListedPair> with_printed(const std::function<std::vector<ListedPair>()>& talk);
+  std::vector<ListedPair> receive(std::uint64_t most_pairs, std::chrono::duration<double> limit);
+  void read_whole(std::span<std::byte> bytes);
+  void write_whole(std::span<const std::byte> bytes);
+  /// Waits until `fd` is ready for `events`; meanwhile reads what is printed and watches the
+  /// limits.
+  void wait_for(int fd, short events);
+  [[nodiscard]] bool has_ended() const;
+  void take_printed();
+  [[noreturn]] void say_how_it_ended();
+  void end_all();
+
+  Limits limits_;
+  pid_t id_ = 0;
+  int questions_ = -1;
+  int answers_ = -1;
+  int output_ = -1;
+  std::string printed_ = {};
+  std::uint64_t printed_bytes_ = 0;
+  Clock::time_point deadline_ = {};
+  std::chrono::duration<double> limit_ = {};
+};
+
+}  // namespace octocell::hand_in

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "harness/try/compile.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "harness/try/child.hpp"
+#include "harness/try/output_of.hpp"
+#include "harness/try/python_runner.hpp"
+
+namespace octocell::hand_in {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+constexpr std::chrono::seconds kCompileTime{120};
+
+std::string variable(const char* name, const char* otherwise) {
+  const char* const value = std::getenv(name);
+  return value != nullptr && *value != '\0' ? value : otherwise;
+}
+
+/// $CUDACXX, the PATH, or $CUDA_HOME. Throws CannotJudge.
+std::string nvcc() {
+  Words places = {variable("CUDACXX", "")};
+  const std::string path = variable("PATH", "");
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find(':', begin), path.size());
+    places.push_back(path.substr(begin, end - begin) + "/nvcc");
+    begin = end + 1;
+  }
+  places.push_back(variable("CUDA_HOME", "/usr/local/cuda") + "/bin/nvcc");
+  for (const std::string& place : places) {
+    if (access(place.c_str(), X_OK) == 0) return place;
+  }
+  throw CannotJudge("does not compile",
+                    "there is no nvcc here: not in $CUDACXX, the PATH or $CUDA_HOME/bin");
+}
+
+std::string this_program() {
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error).string();
+}
+
+/// The folder of octocell_plugin.h: that of the sources, or beside an installed program's.
+std::string include_folder() {
+  std::error_code error;
+  const fs::path sources = OCTOCELL_PLUGIN_INCLUDE;
+  if (fs::exists(sources, error)) return sources.string();
+  return (fs::path(this_program()).parent_path().parent_path() / "include/octocell").string();
+}
+
+Words compiler_command(const std::string& file, const std::string& suffix,
+                       const std::string& library) {
+  Words command;
+  if (suffix == ".cu") {
+    command = {nvcc(), "-std=c++20", "-O2", "-Xcompiler", "-fPIC", "-shared"};
+  } else {
+    command = {variable("CXX", "c++"), "-std=c++20", "-O2", "-fPIC", "-shared", "-pthread"};
+  }
+  command.insert(command.end(), {"-I", include_folder(), file, "-o", library});
+  return command;
+}
+
+/// The first line that names an error, else the first line.
+std::string first_error(std::string_view output) {
+  std::string_view first;
+  while (!output.empty()) {
+    const std::size_t end = std::min(output.find('\n'), output.size());
+    const std::string_view line = output.substr(0, end);
+    if (first.empty()) first = line;
+    if (line.find("error") != std::string_view::npos) return std::string(line);
+    output.remove_prefix(std::min(end + 1, output.size()));
+  }
+  return std::string(first);
+}
+
+void compile(const Words& command) {
+  const Output output = output_of(command, kCompileTime);
+  if (output.timed_out)
+    throw CannotJudge("does not compile", fmt::format("not within {} s", kCompileTime.count()));
+  if (output.exit_code != 0) {
+    throw CannotJudge("does not compile",
+                      fmt::format("{}: {}", command.front(), printable(first_error(output.text))));
+  }
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (fs::temp_directory_path() / "octocell-try-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw LimitError(fmt::format("no folder {}", name));
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+Program prepare_program(const std::string& file, const std::string& python,
+                        const TemporaryFolder& folder) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error))
+    throw InputError(fmt::format("{}: no such file", printable(file)));
+  const std::string path = fs::absolute(file).string();
+  const std::string suffix = lower_case(fs::path(file).extension().string());
+  if (suffix == ".py") return {{}, {python, "-c", kPythonRunner, path}};
+  Program program;
+  std::string library = path;
+  if (suffix == ".cpp" || suffix == ".cu") {
+    library = (folder.path() / "hand_in.so").string();
+    program.compiled_with = compiler_command(path, suffix, library);
+    compile(program.compiled_with);
+  } else if (suffix != ".so") {
+    throw InputError(fmt::format("{}: expected .cpp, .cu, .so or .py", printable(file)));
+  }
+  program.command = {this_program(), "run-hand-in", library};
+  return program;
+}
+
+}  // namespace octocell::hand_in

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// From a hand-in to the command that runs it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace octocell::hand_in {
+
+/// A folder that is removed at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder();
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// How a hand-in is run.
+struct Program {
+  std::vector<std::string> compiled_with;  // words; empty if nothing was compiled
+  std::vector<std::string> command;        // the process to start
+};
+
+/// Compiles the file if its suffix (.cpp, .cu) asks for that; .so and .py are taken as they are.
+/// `python` is the interpreter. Throws InputError for a file that is not there or has another
+/// suffix, and CannotJudge if it does not compile or there is no compiler.
+Program prepare_program(const std::string& file, const std::string& python,
+                        const TemporaryFolder& folder);
+
+}  // namespace octocell::hand_in

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The scenes on which a hand-in is tried, from the smallest.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace octocell::hand_in {
+
+struct TrialScene {
+  std::string spec;              // of a generator; empty: the scene without spheres
+  bool is_larger = false;        // one of those that are tried as long as there is time
+  bool has_little_room = false;  // the list of pairs begins too small
+};
+
+/// Returns the sizes 0, 1, 2, 3, 33 and 1000, borders of tiles, and every kind of scene; then
+/// larger ones.
+std::vector<TrialScene> trial_scenes(std::size_t seed);
+
+/// Returns scenes with so many pairs of different kinds that a flaw shows what it is.
+std::vector<std::string> telling_scenes(std::size_t seed);
+
+}  // namespace octocell::hand_in

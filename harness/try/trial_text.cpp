@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/text.hpp"
+#include "harness/try/try.hpp"
+
+namespace octocell::hand_in {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string last_line(std::string_view text) {
+  while (!text.empty() && text.back() == '\n') text.remove_suffix(1);
+  const std::size_t begin = text.rfind('\n');
+  return printable(begin == std::string_view::npos ? text : text.substr(begin + 1));
+}
+
+std::string scene_line(const TriedScene& scene) {
+  return fmt::format("  {:<58} {:>8} spheres {:>8} pairs  {}\n", scene.spec, scene.spheres,
+                     scene.pairs, scene.exact ? "exact" : "WRONG");
+}
+
+}  // namespace
+
+std::string to_text(const Trial& trial, std::string_view file) {
+  std::string text;
+  if (!trial.compiled_with.empty())
+    text += fmt::format("compiled     {}\n", fmt::join(trial.compiled_with, " "));
+  for (const TriedScene& scene : trial.scenes) text += scene_line(scene);
+  if (trial.wrong) text += fmt::format("\n{}\n", judge::to_text(*trial.wrong, trial.at, file));
+  if (trial.cause && trial.cause_at != trial.at)
+    text += fmt::format("on {}:\n{}\n", trial.cause_at, judge::to_text(*trial.cause));
+  text += fmt::format("{}: {}", file, trial.verdict);
+  if (trial.verdict == "exact") text += fmt::format(" on {} scenes", trial.scenes.size());
+  if (trial.wrong) text += fmt::format(" on {}; look at it first", trial.at);
+  if (!trial.kind.empty()) {
+    text += fmt::format(": {}{}: {}", trial.kind, trial.at.empty() ? "" : " on " + trial.at,
+                        trial.reason);
+    if (!trial.printed.empty())
+      text += fmt::format("; the last that it printed: {}", last_line(trial.printed));
+  }
+  return text + "\n";
+}
+
+Json to_json(const Trial& trial, std::string_view file) {
+  Json scenes = Json::array();
+  for (const TriedScene& scene : trial.scenes) {
+    scenes.push_back({{"scene", scene.spec},
+                      {"n", scene.spheres},
+                      {"pairs", scene.pairs},
+                      {"verdict", scene.exact ? "exact" : "wrong"},
+                      {"ms", scene.milliseconds}});
+  }
+  const Json wrong = trial.wrong ? judge::to_json(*trial.wrong, trial.at, file) : Json();
+  return {{"file", file},
+          {"verdict", trial.verdict},
+          {"kind", trial.kind.empty() ? Json() : Json(trial.kind)},
+          {"reason", trial.reason.empty() ? Json() : Json(trial.reason)},
+          {"at", trial.at.empty() ? Json() : Json(trial.at)},
+          {"printed", trial.printed.empty() ? Json() : Json(printable(trial.printed))},
+          {"command", trial.compiled_with},
+          {"scenes", std::move(scenes)},
+          {"first", trial.wrong ? wrong["first"] : Json::array()},
+          {"cause", trial.cause ? judge::to_json(*trial.cause) : Json()},
+          {"cause_at", trial.cause ? Json(trial.cause_at) : Json()},
+          {"judgement", wrong}};
+}
+
+}  // namespace octocell::hand_in
