@@ -10,6 +10,7 @@
 #include "core/frame_mode.hpp"
 #include "core/pair.hpp"
 #include "core/plan.hpp"
+#include "core/run_record.hpp"
 #include "core/sphere.hpp"
 
 namespace octocell {
@@ -85,6 +86,11 @@ class PairFinder {
   /// itself.
   [[nodiscard]] virtual HostBytes host_bytes(const Plan&, SceneView) const { return {}; }
 
+  /// From now on, each find_pairs() writes down what its stages read and wrote, until `to` is null.
+  /// That is slow and allocates: for a few thousand spheres, and a plan for one thread. Returns
+  /// false if the finder cannot do it.
+  virtual bool record(RunRecord* /*to*/) { return false; }
+
   /// Returns what else this finder can do on a GPU; null if it runs on the host or can do no more.
   virtual DeviceRuns* device_runs() { return nullptr; }
 
@@ -105,6 +111,7 @@ class GridPairFinder : public PairFinder {
  public:
   void find_pairs(StageClock& clock) final {
     clock.start();
+    if (record_ != nullptr) *record_ = {};
     Stages left = Stages().with(Stage::bounds);
     while (!left.empty()) {
       const Stage first = left.first();
@@ -115,8 +122,14 @@ class GridPairFinder : public PairFinder {
         left = run(last, left.without(last));
       }
       clock.mark(first, last);
+      if (record_ != nullptr) write_down(last, *record_);
       if (left.empty()) left = missed_stages();
     }
+  }
+
+  bool record(RunRecord* to) final {
+    record_ = to;
+    return true;
   }
 
  protected:
@@ -128,6 +141,13 @@ class GridPairFinder : public PairFinder {
   [[nodiscard]] virtual bool bounds_with_cell_ids() const { return false; }
   /// Called at the end. Returns stages that were left out and are needed after all.
   virtual Stages missed_stages() { return {}; }
+  /// Copies what a stage has written into the record.
+  virtual void write_down(Stage stage, RunRecord& record) = 0;
+  /// Returns where stages write what is gone when they end; null if this run is not recorded.
+  [[nodiscard]] RunRecord* recording() const { return record_; }
+
+ private:
+  RunRecord* record_ = nullptr;
 };
 
 }  // namespace octocell

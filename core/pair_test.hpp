@@ -72,6 +72,9 @@ OCTOCELL_HD constexpr bool has_uncertain_pairs(PairTest t) {
   return t <= PairTest::filter_equal || t == PairTest::q16_exact;
 }
 
+/// Returns true for the tests that serve predicate exact. Only these are recorded.
+OCTOCELL_HD constexpr bool may_be_exact(PairTest t) { return t <= PairTest::f32; }
+
 /// Returns the radius as stage 5 stores it in a float; called once per sphere. Packed tests store
 /// floats, too, for candidates that pass.
 template <PairTest test>

@@ -78,6 +78,7 @@ class CpuBackend final : public GridPairFinder {
   Stages run(Stage stage, Stages left) override {
     switch (stage) {
       case Stage::bounds:
+        w_.record = recording();
         coherence_.bounds(w_);
         return stages_after_bounds(w_.plan, coherence_.mode());
       case Stage::cell_ids:
@@ -99,6 +100,7 @@ class CpuBackend final : public GridPairFinder {
     }
     return left;
   }
+  void write_down(Stage stage, RunRecord& record) override { cpu::write_down(w_, stage, record); }
 
  private:
   static void count_cells(const Workspace& w, Counts& found) {

@@ -36,14 +36,15 @@ class PairSink {
         uncertain_sink_(w),
         uncertain_pairs_(uncertain_sink_) {}
 
-  /// Takes two spheres that may overlap, with stored radii.
+  /// Takes two spheres that may overlap, with stored radii. Returns what became of them.
   template <PairTest test>
-  void take(const Sphere& a, std::uint32_t id_a, const Sphere& b, std::uint32_t id_b) {
-    if (!flags_.empty() && !may_collide(flags_[id_a], flags_[id_b])) return;
+  Judgement take(const Sphere& a, std::uint32_t id_a, const Sphere& b, std::uint32_t id_b) {
+    if (!flags_.empty() && !may_collide(flags_[id_a], flags_[id_b])) return Judgement::flags;
     const Pair pair = make_pair_of(id_a, id_b);
     const Verdict verdict = verdict_on<test>(a, b, packing_);
     if (verdict == Verdict::overlap) sure_.push(pair);
     if (verdict == Verdict::uncertain) uncertain_pairs_.push(pair);
+    return judgement_of(verdict);
   }
 
  private:

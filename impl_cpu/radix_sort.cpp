@@ -62,9 +62,28 @@ void reorder(const KeysAndValues& from, const KeysAndValues& to, Part part, Digi
   }
 }
 
+/// Copies where the first key with each digit goes; the counts are the distances between them.
+SortPass begin_record(Digit digit, const std::array<std::uint32_t, kDigits>& first_positions,
+                      std::size_t size) {
+  SortPass pass = {.digit = digit, .counts = {}, .offsets = {}, .cell_ids = {}, .objects = {}};
+  const std::size_t digits = std::size_t{1} << digit.width;
+  pass.offsets.assign(first_positions.begin(), first_positions.begin() + digits);
+  for (std::size_t d = 0; d < digits; ++d) {
+    const std::size_t end = d + 1 < digits ? pass.offsets[d + 1] : size;
+    pass.counts.push_back(static_cast<std::uint32_t>(end - pass.offsets[d]));
+  }
+  return pass;
+}
+
+void end_record(SortPass& pass, const KeysAndValues& to) {
+  pass.cell_ids.assign(to.keys.begin(), to.keys.end());
+  pass.objects.assign(to.values.begin(), to.values.end());
+}
+
 }  // namespace
 
-int radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, Threads& threads) {
+int radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, Threads& threads,
+               std::vector<SortPass>* passes) {
   const std::size_t size = front.keys.size();
   const int parts = std::min(threads.count(), kMaxParts);
   static thread_local Counters counters;  // 64 KiB: too large for the stack
@@ -84,7 +103,9 @@ int radix_sort(KeysAndValues front, KeysAndValues back, int key_bits, Threads& t
       tabulate(from.keys.subspan(part.begin, part.end - part.begin), digit, shared[p]);
     });
     prefix_sum(shared, parts);
+    if (passes != nullptr) passes->push_back(begin_record(digit, shared[0], size));
     for_parts([&](int p, Part part) { reorder(from, to, part, digit, shared[p]); });
+    if (passes != nullptr) end_record(passes->back(), to);
     side ^= 1;
   }
   return side;

@@ -19,8 +19,9 @@ KeysAndValues used_part(const IdArrays& ids, std::uint64_t count) {
 
 void sort(Workspace& w) {
   if (w.violation || !w.ids_complete() || w.used.has(Skip::sort)) return;
-  w.current = radix_sort(used_part(w.ids[0], w.id_count), used_part(w.ids[1], w.id_count),
-                         w.plan.key_bits, *w.threads);
+  w.current =
+      radix_sort(used_part(w.ids[0], w.id_count), used_part(w.ids[1], w.id_count), w.plan.key_bits,
+                 *w.threads, w.record != nullptr ? &w.record->passes.items : nullptr);
 }
 
 }  // namespace octocell::cpu

@@ -51,12 +51,14 @@ struct AsWritten {
   }
 };
 
-template <PairTest test, typename RuleTest>
+/// `recorded`: the run writes down each candidate. A type of its own, so that others need not ask.
+template <PairTest test, typename RuleTest, bool recorded>
 class PairTester {
  public:
   PairTester(Workspace& w, RuleTest rule) : w_(w), rule_(rule), sink_(w) {}
 
-  void load_cell(Tile<test>& tile, std::uint64_t begin, std::uint64_t count) const {
+  void load_cell(Tile<test>& tile, std::uint64_t begin, std::uint64_t count) {
+    if constexpr (recorded) cell_id_ = w_.ids[w_.current].cell_ids[begin];
     const Object* objects = w_.ids[w_.current].objects.data();
     tile.size = 0;
     for (std::uint64_t k = begin; k < begin + count; ++k) {
@@ -88,31 +90,45 @@ class PairTester {
  private:
   void test_row(const Tile<test>& a, std::size_t i, const Tile<test>& b, std::size_t first) {
     for (std::size_t j = first; j < b.size; j += Tile<test>::kLanes) {
-      for_each_lane(b.may_overlap(a, i, j),
-                    [&](std::uint32_t lane) { take(a.object[i], b.object[j + lane]); });
+      const LaneBits found = b.may_overlap(a, i, j);
+      if constexpr (recorded) {
+        const auto lanes = std::min<std::size_t>(Tile<test>::kLanes, b.size - j);
+        for (std::uint32_t lane = 0; lane < lanes; ++lane) {
+          const Object other = b.object[j + lane];
+          const bool may_overlap = (found >> lane & 1U) != 0;
+          write_down(a.object[i], other, may_overlap ? take(a.object[i], other) : Judgement::apart);
+        }
+      } else {
+        for_each_lane(found, [&](std::uint32_t lane) { take(a.object[i], b.object[j + lane]); });
+      }
     }
   }
 
-  void take(Object a, Object b) {
-    if (!rule_.counts_here(a, b)) return;
+  void write_down(Object a, Object b, Judgement judgement) {
+    w_.record->considered.items.push_back({a & kIdMask, b & kIdMask, cell_id_, judgement});
+  }
+
+  Judgement take(Object a, Object b) {
+    if (!rule_.counts_here(a, b)) return Judgement::other_cell;
     const std::span<const Sphere> spheres = w_.scene.spheres;
     const std::uint32_t id_a = a & kIdMask;
     const std::uint32_t id_b = b & kIdMask;
-    sink_.take<test>(stored<test>(spheres[id_a]), id_a, stored<test>(spheres[id_b]), id_b);
+    return sink_.take<test>(stored<test>(spheres[id_a]), id_a, stored<test>(spheres[id_b]), id_b);
   }
 
   Workspace& w_;
   RuleTest rule_;
   PairSink sink_;
+  std::uint32_t cell_id_ = 0;  // of the loaded cell; only for a record
 };
 
 /// Tests all pairs of `count` members, tile by tile; threads share the rows of tiles. load(tester,
 /// tile, offset, size) fills a tile. Only the first `rows` members act as rows.
-template <PairTest test, typename RuleTest, typename Load>
+template <PairTest test, bool recorded, typename RuleTest, typename Load>
 void test_tiles(Workspace& w, RuleTest rule, std::uint64_t rows, std::uint64_t count, Load load) {
   const std::uint64_t row_tiles = (rows + kTileSpheres - 1) / kTileSpheres;
   w.threads->for_blocks(row_tiles, 1, [&](std::uint64_t tile, std::uint64_t) {
-    PairTester<test, RuleTest> tester(w, rule);
+    PairTester<test, RuleTest, recorded> tester(w, rule);
     Tile<test> a;
     Tile<test> b;
     const std::uint64_t begin = tile * kTileSpheres;
@@ -126,22 +142,23 @@ void test_tiles(Workspace& w, RuleTest rule, std::uint64_t rows, std::uint64_t c
   });
 }
 
-template <PairTest test, typename RuleTest>
+template <PairTest test, bool recorded, typename RuleTest>
 void test_crowded_cell(Workspace& w, RuleTest rule, const CellEntry& cell) {
   const std::uint64_t members = cell.homes + std::uint64_t{cell.phantoms};
-  test_tiles<test>(w, rule, RuleTest::rows_are_homes ? cell.homes : members, members,
-                   [&](auto& tester, Tile<test>& tile, std::uint64_t offset, std::uint64_t size) {
-                     tester.load_cell(tile, cell.begin + offset, size);
-                   });
+  test_tiles<test, recorded>(
+      w, rule, RuleTest::rows_are_homes ? cell.homes : members, members,
+      [&](auto& tester, Tile<test>& tile, std::uint64_t offset, std::uint64_t size) {
+        tester.load_cell(tile, cell.begin + offset, size);
+      });
 }
 
 /// Tests cells that fit into a tile, block by block; then the larger ones, each by all threads.
-template <PairTest test, typename RuleTest>
+template <PairTest test, bool recorded, typename RuleTest>
 void test_cells(Workspace& w, RuleTest rule) {
   const std::span<const CellEntry> cells = w.cells.items();
   w.crowded_cells.clear();
   w.threads->for_blocks(cells.size(), kCellsPerBlock, [&](std::uint64_t begin, std::uint64_t end) {
-    PairTester<test, RuleTest> tester(w, rule);
+    PairTester<test, RuleTest, recorded> tester(w, rule);
     Tile<test> tile;
     for (std::uint64_t c = begin; c < end; ++c) {
       const CellEntry& cell = cells[c];
@@ -156,29 +173,31 @@ void test_cells(Workspace& w, RuleTest rule) {
     }
   });
   for (const std::uint32_t c : w.crowded_cells.items()) {
-    test_crowded_cell<test>(w, rule, cells[c]);
+    test_crowded_cell<test, recorded>(w, rule, cells[c]);
   }
 }
 
-template <PairTest test>
+template <PairTest test, bool recorded>
 void test_all_spheres(Workspace& w) {
   const std::uint64_t count = w.scene.spheres.size();
-  test_tiles<test>(w, EveryPair{}, count, count,
-                   [](auto& tester, Tile<test>& tile, std::uint64_t begin, std::uint64_t size) {
-                     tester.load_spheres(tile, begin, size);
-                   });
+  test_tiles<test, recorded>(w, EveryPair{}, count, count,
+                             [](auto& tester, Tile<test>& tile, std::uint64_t begin,
+                                std::uint64_t size) { tester.load_spheres(tile, begin, size); });
 }
 
-template <PairTest test>
+template <PairTest test, bool recorded = false>
 void run(Workspace& w) {
-  if (w.plan.method == Method::brute_force) return test_all_spheres<test>(w);
+  if constexpr (may_be_exact(test) && !recorded) {
+    if (w.record != nullptr) return run<test, true>(w);
+  }
+  if (w.plan.method == Method::brute_force) return test_all_spheres<test, recorded>(w);
   switch (w.plan.rule) {
     case Rule::lowest_cell:
-      return test_cells<test>(w, LowestCell{});
+      return test_cells<test, recorded>(w, LowestCell{});
     case Rule::chapter32:
-      return test_cells<test>(w, Chapter32{w.control_bits.data()});
+      return test_cells<test, recorded>(w, Chapter32{w.control_bits.data()});
     case Rule::as_written:
-      return test_cells<test>(
+      return test_cells<test, recorded>(
           w, AsWritten{w.scene.spheres.data(), as_written::cell_side(w.plan.facts.r_max)});
   }
 }

@@ -57,6 +57,7 @@ struct Workspace {
   std::uint64_t candidates = 0;
   Skips used;  // the skips, among those that depend on the data, that this run took
   std::optional<std::string> violation;
+  RunRecord* record = nullptr;  // null: the run is not recorded
 
   /// Allocates what the plan says.
   void allocate();
@@ -85,6 +86,9 @@ void sort(Workspace& w);
 void cell_index(Workspace& w);
 void pair_tests(Workspace& w);
 void resolve(Workspace& w);
+
+/// Copies what a stage has written into the record.
+void write_down(const Workspace& w, Stage stage, RunRecord& record);
 
 /// Decides a few uncertain pairs at once. A count_only plan must not need memory in proportion to
 /// its pairs. So its stage 5 calls this for each full block instead of storing it for stage 6.

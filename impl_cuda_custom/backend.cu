@@ -151,6 +151,7 @@ class CudaBackend final : public GridPairFinder {
   Stages run(Stage stage, Stages left) override {
     switch (stage) {
       case Stage::bounds:
+        w_.record = recording();
         cuda_custom::bounds(w_);
         return predicted_stages();
       case Stage::cell_ids:
@@ -172,6 +173,9 @@ class CudaBackend final : public GridPairFinder {
         break;
     }
     return left;
+  }
+  void write_down(Stage stage, RunRecord& record) override {
+    cuda_custom::write_down(w_, stage, record);
   }
   [[nodiscard]] bool bounds_with_cell_ids() const override { return w_.half_shell(); }
   /// Returns the stages that should have been queued. The host reads them while the device

@@ -9,6 +9,7 @@
 //       tile. So each candidate belongs to exactly one of the two kernels, however large its cell
 //       is.
 #include <cstdint>
+#include <type_traits>
 
 #include "core/pair_rule.hpp"
 #include "impl_cuda_custom/coherence/frames.cuh"
@@ -30,6 +31,8 @@ struct PairTestsJob {
   AnyTest test;
   std::uint64_t candidate_limit;
   SinkArguments sink;
+  Considered* considered;           // [candidates], only for a run that is recorded
+  std::uint64_t* considered_count;  // the same
 
   /// Returns the same for all threads: nothing that it reads changes in this stage.
   [[nodiscard]] __device__ bool may_test() const {
@@ -74,14 +77,36 @@ struct Members {
   }
 };
 
-/// Tests one candidate per lane; lanes that are not `open` have none. All lanes of the warp must
-/// call it.
+/// Keeps pairs, and makes the kernels write down each candidate: for a run that is recorded.
+class KeepRecorded : public Keep {
+ public:
+  using Keep::Keep;
+};
 template <typename Sink>
-__device__ void test_pair(const PairTestsJob& job, Sink& sink, bool open, const Member& a,
-                          const Member& b) {
-  const bool found = open && job.test.may_overlap(a.sphere, b.sphere) && job.rule.counts_here(a, b);
-  if (!__any_sync(kAllLanes, found)) return;
+constexpr bool kRecorded = std::is_same_v<Sink, KeepRecorded>;
+
+__device__ void write_down(const PairTestsJob& job, std::uint64_t row_entry, Pair row_and_other,
+                           Judgement judgement) {
+  const auto [i, j] = row_and_other;
+  const bool found = judgement == Judgement::overlap || judgement == Judgement::uncertain;
+  if (found && job.sink.keeps_apart(make_pair_of(i, j))) judgement = Judgement::flags;
+  const std::uint64_t place = atomic_add(job.considered_count, 1U);
+  job.considered[place] = {i, j, job.cell_id_at(row_entry), judgement};
+}
+
+/// Tests one candidate per lane; lanes that are not `open` have none. All lanes of the warp must
+/// call it. `row_entry` is the place of `a` among the sorted ids.
+template <typename Sink>
+__device__ void test_pair(const PairTestsJob& job, Sink& sink, bool open, std::uint64_t row_entry,
+                          const Member& a, const Member& b) {
+  const bool near = open && job.test.may_overlap(a.sphere, b.sphere);
+  const bool found = near && job.rule.counts_here(a, b);
+  if (!kRecorded<Sink> && !__any_sync(kAllLanes, found)) return;
   const Verdict verdict = found ? job.test.verdict_on(a.sphere, b.sphere) : Verdict::apart;
+  if constexpr (kRecorded<Sink>) {
+    const Judgement judgement = near && !found ? Judgement::other_cell : judgement_of(verdict);
+    if (open) write_down(job, row_entry, {a.id(), b.id()}, judgement);
+  }
   sink.take(verdict, make_pair_of(a.id(), b.id()));
 }
 
@@ -133,7 +158,7 @@ __global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce)
   const Member row = open ? tile.members.get(t) : Member{};
   open = open && job.rule.may_be_row(row);
   for (int column = t + 1; __any_sync(kAllLanes, open); ++column) {
-    test_pair(job, sink, open, row, open ? tile.members.get(column) : Member{});
+    test_pair(job, sink, open, begin + t, row, open ? tile.members.get(column) : Member{});
     open = open && in_same_cell(column + 1);
   }
   sink.close();
@@ -164,7 +189,8 @@ __global__ void __launch_bounds__(kBlockThreads, Sink::kBlocksAtOnce)
       __syncthreads();  // all threads have finished with the last columns
       if (t < size) columns.put(t, job.gather(begin + t));
       __syncthreads();
-      for (int c = 0; c < size; ++c) test_pair(job, sink, open, row, columns.get(c));
+      for (int c = 0; c < size; ++c)
+        test_pair(job, sink, open, tile_begin + t, row, columns.get(c));
     }
   }
   sink.close();
@@ -182,7 +208,9 @@ PairTestsJob job_of(Workspace& w) {
                    .text_side = as_written::cell_side(w.plan.facts.r_max)},
           .test = {w.plan.test, w.plan.packing},
           .candidate_limit = w.plan.candidate_limit,
-          .sink = sink_arguments_of(w)};
+          .sink = sink_arguments_of(w),
+          .considered = w.considered.data(),
+          .considered_count = w.considered_count.data()};
 }
 
 template <typename Sink>
@@ -208,6 +236,7 @@ void pair_tests(Workspace& w) {
   const std::uint64_t most_entries = w.brute_force() ? w.sphere_count() : w.plan.capacity.ids;
   if (w.sphere_count() == 0 || most_entries == 0) return;
   if (w.plan.count_only) return test_columns<Count>(w, most_entries);
+  if (w.record != nullptr) return test_columns<KeepRecorded>(w, most_entries);
   test_columns<Keep>(w, most_entries);
 }
 

@@ -16,6 +16,8 @@
 #include "core/pair.hpp"
 #include "core/plan.hpp"
 #include "core/plan_facts.hpp"
+#include "core/run_record.hpp"
+#include "core/stage.hpp"
 #include "impl_cuda_custom/coherence/rules.hpp"
 #include "impl_cuda_custom/pinned_array.cuh"
 #include "impl_cuda_custom/radix_sort/radix_sort.cuh"
@@ -94,6 +96,7 @@ struct Workspace {
   std::optional<FrameMode> mode;  // of this frame, as the host predicts or knows it; none: neither
   std::optional<RadixSort> sorter;        // for methods with a grid
   std::optional<RadixSort> grown_sorter;  // for enlarged spheres, if the plan has a skin
+  RunRecord* record = nullptr;            // null: the run is not recorded
 
   cuda::DeviceArray<State> state;                          // [1]
   cuda::DeviceArray<Sphere> spheres;                       // [spheres]
@@ -108,6 +111,10 @@ struct Workspace {
   cuda::DeviceArray<std::uint32_t> cell_starts;   // see StartsShape
   cuda::DeviceArray<Pair> uncertain_pairs;        // [plan.capacity.uncertain_pairs]
   cuda::DeviceArray<Pair> pairs;                  // [plan.capacity.pairs]
+
+  // Only for a run that is recorded; see write_down():
+  cuda::DeviceArray<Considered> considered;           // [candidates]
+  cuda::DeviceArray<std::uint64_t> considered_count;  // [1]
 
   // Kept between frames, if frames may reuse data:
   PinnedArray<FrameMode> mode_taken;                   // [1] of the last frame
@@ -204,5 +211,9 @@ void sort(Workspace& w);
 void cell_index(Workspace& w);
 void pair_tests(Workspace& w);
 void resolve(Workspace& w);
+
+/// Waits, then copies what a stage has written into the record, and makes room for what the next
+/// one writes down itself.
+void write_down(Workspace& w, Stage stage, RunRecord& record);
 
 }  // namespace octocell::cuda_custom

@@ -101,6 +101,7 @@ class ThrustBackend final : public GridPairFinder {
   Stages run(Stage stage, Stages left) override {
     switch (stage) {
       case Stage::bounds:
+        w_.record = recording();
         threads_ = System::use_threads(w_.plan.threads);
         on_thrust::bounds(w_);
         return stages_after_bounds(w_.plan);
@@ -123,6 +124,9 @@ class ThrustBackend final : public GridPairFinder {
         break;
     }
     return left;
+  }
+  void write_down(Stage stage, RunRecord& record) override {
+    on_thrust::write_down(w_, stage, record);
   }
 
  private:

@@ -5,9 +5,13 @@
 // Idea: count, scan, write. There is one work item for each entry, which is tested against the
 //       entries behind it in its cell. The pairs found are counted, a scan finds each row's place,
 //       and rows that found something test again and write.
+#include <thrust/for_each.h>
+#include <thrust/scan.h>
 #include <thrust/sequence.h>
+#include <thrust/transform.h>
 
 #include <cstdint>
+#include <vector>
 
 #include "core/flags.hpp"
 #include "core/pair_rule.hpp"
@@ -28,23 +32,28 @@ struct RowTest {
   PairTest test;
   PairRule rule;
 
+  /// Returns what becomes of row `a` and entry j behind it.
+  [[nodiscard]] OCTOCELL_HD Judgement judge(const Member& a, std::uint64_t j) const {
+    const Member b = {members[j], objects[j]};
+    if (!may_overlap(test, a.sphere, b.sphere)) return Judgement::apart;
+    if (!rule.counts_here(a, b)) return Judgement::other_cell;
+    if (flags != nullptr && !may_collide(flags[a.id()], flags[b.id()])) return Judgement::flags;
+    return is_sure(test, a.sphere, b.sphere) ? Judgement::overlap : Judgement::uncertain;
+  }
+  /// Returns the end of the entries that row k is tested against; they begin behind it.
+  [[nodiscard]] OCTOCELL_HD std::uint64_t end_of_row(std::uint64_t k) const {
+    if (!rule.may_be_row({members[k], objects[k]})) return k + 1;
+    return cell_end != nullptr ? cell_end[k] : entries;
+  }
+
   template <typename OnSure, typename OnUncertain>
   OCTOCELL_HD void run(std::uint64_t k, OnSure on_sure, OnUncertain on_uncertain) const {
     const Member a = {members[k], objects[k]};
-    if (!rule.may_be_row(a)) return;
-    const std::uint64_t end = cell_end != nullptr ? cell_end[k] : entries;
+    const std::uint64_t end = end_of_row(k);
     for (std::uint64_t j = k + 1; j < end; ++j) {
-      const Sphere q = members[j];
-      if (!may_overlap(test, a.sphere, q)) continue;
-      const Member b = {q, objects[j]};
-      if (!rule.counts_here(a, b)) continue;
-      const Pair pair = make_pair_of(a.id(), b.id());
-      if (flags != nullptr && !may_collide(flags[pair.i], flags[pair.j])) continue;
-      if (is_sure(test, a.sphere, q)) {
-        on_sure(pair);
-      } else {
-        on_uncertain(pair);
-      }
+      const Judgement found = judge(a, j);
+      if (found == Judgement::overlap) on_sure(make_pair_of(a.id(), objects[j] & kIdMask));
+      if (found == Judgement::uncertain) on_uncertain(make_pair_of(a.id(), objects[j] & kIdMask));
     }
   }
 };
@@ -62,6 +71,51 @@ RowTest gather_rows(Workspace<System>& w) {
       w.plan.test,      rule};
 }
 
+/// How many candidates a row has.
+struct CandidatesOfRow {
+  RowTest rows;
+  OCTOCELL_HD std::uint64_t operator()(std::uint64_t k) const {
+    const std::uint64_t end = k < rows.entries ? rows.end_of_row(k) : 0;
+    return end > k + 1 ? end - (k + 1) : 0;
+  }
+};
+
+/// Judges the candidates of a row once more and writes each of them down.
+struct WriteConsidered {
+  RowTest rows;
+  const std::uint32_t* cell_ids;  // null: no cells
+  const std::uint64_t* candidates_before;
+  Considered* considered;
+  OCTOCELL_HD void operator()(std::uint64_t k) const {
+    const Member a = {rows.members[k], rows.objects[k]};
+    const std::uint64_t count = candidates_before[k + 1] - candidates_before[k];
+    for (std::uint64_t c = 0; c < count; ++c) {
+      const std::uint64_t j = k + 1 + c;
+      considered[candidates_before[k] + c] = {a.id(), rows.objects[j] & kIdMask,
+                                              cell_ids != nullptr ? cell_ids[k] : 0,
+                                              rows.judge(a, j)};
+    }
+  }
+};
+
+/// For a run that is recorded: all candidates, in the order in which the rows stand.
+template <typename System>
+std::vector<Considered> write_down_candidates(Workspace<System>& w, const RowTest& rows) {
+  typename System::template Array<std::uint64_t> before;
+  before.allocate(rows.entries + 1);
+  thrust::transform(w.system.policy(), Positions(0), Positions(rows.entries + 1), before.data(),
+                    CandidatesOfRow{rows});
+  thrust::exclusive_scan(w.system.policy(), before.data(), before.data() + rows.entries + 1,
+                         before.data());
+  const std::uint64_t total = w.system.read(before.data() + rows.entries);
+  typename System::template Array<Considered> considered;
+  considered.allocate(total);
+  thrust::for_each(w.system.policy(), Positions(0), Positions(rows.entries),
+                   WriteConsidered{rows, w.brute_force() ? nullptr : w.cell_ids.data(),
+                                   before.data(), considered.data()});
+  return w.system.read(considered.data(), total);
+}
+
 }  // namespace
 
 template <typename System>
@@ -71,7 +125,9 @@ void pair_tests(Workspace<System>& w) {
   if (w.brute_force()) w.candidates = w.sphere_count() * (w.sphere_count() - 1) / 2;
   if (!w.may_test_pairs()) return;
   if (w.half_shell()) return half_shell::pair_tests(w);
-  count_scan_write(w, gather_rows(w));
+  const RowTest rows = gather_rows(w);
+  if (w.record != nullptr) w.record->considered.set(write_down_candidates(w, rows));
+  count_scan_write(w, rows);
 }
 
 OCTOCELL_FOR_BOTH_SYSTEMS(pair_tests);

@@ -13,6 +13,8 @@
 #include "core/object_word.hpp"
 #include "core/pair.hpp"
 #include "core/plan.hpp"
+#include "core/run_record.hpp"
+#include "core/stage.hpp"
 #include "impl_thrust/systems.cuh"
 
 namespace octocell::on_thrust {
@@ -63,6 +65,7 @@ struct Workspace {
   std::uint64_t pair_count = 0;
   std::uint64_t checksum = 0;  // of the pairs; only in a count_only plan
   std::optional<std::string> violation;
+  RunRecord* record = nullptr;  // null: the run is not recorded
 
   [[nodiscard]] std::uint64_t sphere_count() const { return scene.spheres.size(); }
   [[nodiscard]] bool brute_force() const { return plan.method == Method::brute_force; }
@@ -113,5 +116,9 @@ template <typename System>
 void pair_tests(Workspace<System>& w);
 template <typename System>
 void resolve(Workspace<System>& w);
+
+/// Copies what a stage has written into the record.
+template <typename System>
+void write_down(Workspace<System>& w, Stage stage, RunRecord& record);
 
 }  // namespace octocell::on_thrust

@@ -132,11 +132,12 @@ class CudaSystem {
   cuda::DeviceArray<Flags> flags_;
 };
 
-#define OCTOCELL_FOR_BOTH_SYSTEMS(stage)         \
-  template void stage(Workspace<HostSystem>& w); \
-  template void stage(Workspace<CudaSystem>& w)
+#define OCTOCELL_FOR_BOTH_SYSTEMS(stage, ...)                               \
+  template void stage(Workspace<HostSystem>& w __VA_OPT__(, ) __VA_ARGS__); \
+  template void stage(Workspace<CudaSystem>& w __VA_OPT__(, ) __VA_ARGS__)
 #else
-#define OCTOCELL_FOR_BOTH_SYSTEMS(stage) template void stage(Workspace<HostSystem>& w)
+#define OCTOCELL_FOR_BOTH_SYSTEMS(stage, ...) \
+  template void stage(Workspace<HostSystem>& w __VA_OPT__(, ) __VA_ARGS__)
 #endif
 
 }  // namespace octocell::on_thrust

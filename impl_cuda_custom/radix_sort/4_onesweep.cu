@@ -17,6 +17,7 @@
 #include "core/cuda/cuda.cuh"
 #include "impl_cuda_custom/radix_sort/digit_histograms.cuh"
 #include "impl_cuda_custom/radix_sort/onesweep_tile.cuh"
+#include "impl_cuda_custom/radix_sort/record_pass.cuh"
 
 namespace octocell::cuda_custom::onesweep {
 namespace {
@@ -223,6 +224,10 @@ void launch_passes(const Shape& shape, const Call& call) {
     const std::uint32_t tiles = parts_of(shape.capacity, v.tile_items);
     kernel<<<tiles, v.threads, v.shared_bytes, call.stream>>>(pass);
     cuda::check(cudaGetLastError());
+    if (call.passes != nullptr) {
+      call.passes->push_back(
+          copy_of_pass(pass, p == last ? Form::arrays : Form::pairs, call.stream));
+    }
   }
 }
 

@@ -52,10 +52,10 @@ std::uint64_t RadixSort::scratch_bytes() const {
 }
 
 void RadixSort::launch(KeysAndValues front, KeysAndValues back, const std::uint64_t* count,
-                       void* scratch, cudaStream_t stream) const {
+                       void* scratch, cudaStream_t stream, std::vector<SortPass>* passes) const {
   if (capacity_ == 0 || plan_.passes == 0) return;
   code_of(variant_).launch({capacity_, plan_, tile_},
-                           {front, back, count, nullptr, scratch, stream});
+                           {front, back, count, nullptr, scratch, stream, passes});
 }
 
 std::uint64_t RadixSort::zeroed_words() const {
@@ -69,10 +69,10 @@ digit_histograms::HistogramsJob RadixSort::histograms(const std::uint64_t* count
 }
 
 void RadixSort::launch_passes(KeysAndValues front, KeysAndValues back, const std::uint64_t* count,
-                              const std::uint32_t* out_of_order, void* scratch,
-                              cudaStream_t stream) const {
+                              const std::uint32_t* out_of_order, void* scratch, cudaStream_t stream,
+                              std::vector<SortPass>* passes) const {
   onesweep::launch_passes({capacity_, plan_, tile_},
-                          {front, back, count, out_of_order, scratch, stream});
+                          {front, back, count, out_of_order, scratch, stream, passes});
 }
 
 }  // namespace octocell::cuda_custom

@@ -6,8 +6,10 @@
 #include <cuda_runtime_api.h>
 
 #include <cstdint>
+#include <vector>
 
 #include "core/digit_plan.hpp"
+#include "core/run_record.hpp"
 
 namespace octocell::cuda_custom {
 
@@ -47,9 +49,11 @@ class RadixSort {
   [[nodiscard]] int result_side() const { return plan_.passes % 2; }
 
   /// Queues the sort of min(*count, capacity) pairs; `count` is on the device. Neither waits nor
-  /// allocates. `front` holds the input; all memory of both sides is overwritten.
+  /// allocates. `front` holds the input; all memory of both sides is overwritten. `passes`, if it
+  /// is not null, receives a copy of what each pass counts and writes (which waits; variant
+  /// onesweep).
   void launch(KeysAndValues front, KeysAndValues back, const std::uint64_t* count, void* scratch,
-              cudaStream_t stream) const;
+              cudaStream_t stream, std::vector<SortPass>* passes = nullptr) const;
 
   /// launch() in parts, for a kernel that makes the keys and counts their digits at the same time
   /// (digit_histograms.cuh). Clear the first words of `scratch`, run that kernel, then launch the
@@ -61,7 +65,8 @@ class RadixSort {
   [[nodiscard]] digit_histograms::HistogramsJob histograms(const std::uint64_t* count,
                                                            void* scratch) const;
   void launch_passes(KeysAndValues front, KeysAndValues back, const std::uint64_t* count,
-                     const std::uint32_t* out_of_order, void* scratch, cudaStream_t stream) const;
+                     const std::uint32_t* out_of_order, void* scratch, cudaStream_t stream,
+                     std::vector<SortPass>* passes = nullptr) const;
 
  private:
   Variant variant_;

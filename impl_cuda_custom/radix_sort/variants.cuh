@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "impl_cuda_custom/radix_sort/radix_sort.cuh"
 
@@ -23,6 +24,7 @@ struct Call {
   const std::uint32_t* out_of_order;  // or null: not checked
   void* scratch;
   cudaStream_t stream;
+  std::vector<SortPass>* passes = nullptr;  // null: not recorded
 
   [[nodiscard]] KeysAndValues from(int pass) const { return pass % 2 == 0 ? front : back; }
   [[nodiscard]] KeysAndValues to(int pass) const { return pass % 2 == 0 ? back : front; }
