@@ -10,6 +10,8 @@ FRAME_SEQUENCES ?= 200000
 # How long `make fuzz` runs each of its targets.
 FUZZ_SECONDS ?= 300
 PUBLISHED := reports/results/epyc-zen5-2core/quick.json.gz
+# The scene of the course comes first.
+COURSE_SCENES := course/scenes/eight.csv $(filter-out course/scenes/eight.csv,$(sort $(wildcard course/scenes/*.csv)))
 PAGES := README.md README.zh-CN.md docs/results.md docs/guarantee.md docs/how_to/import_files.md
 # Machine code for the common GPUs from Turing on; the last entry's PTX serves what is newer.
 GPUS ?= 75-real 80-real 86-real 89-real 90
@@ -24,7 +26,7 @@ CUDA_IF_GPU = $(if $(wildcard /dev/nvidiactl)$(filter ON,$(OCTOCELL_CUDA)),$(OCT
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build user-build build-tests test compilers fuzz mutants stress stress-full real bench bench-full bench-sort ablation error report readme steps pictures sanitize cuda-toolkit bundle clean
+.PHONY: help setup configure build user-build build-tests test compilers fuzz mutants stress stress-full real bench bench-full bench-sort ablation error report readme traces steps pictures sanitize cuda-toolkit bundle clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -49,6 +51,7 @@ build-tests: configure ## Build the tests, too
 test: build-tests ## Run all tests
 	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j "$$(nproc)"
 	@$(PYTHON) -m octocell_report readme $(PAGES) --check
+	@$(PYTHON) scripts/trace_tables.py --octocell $(BUILD)/octocell --check docs/stages/*.md
 	@scripts/setup_browser.sh
 	@OCTOCELL_BIN=$(BUILD)/octocell $(PYTHON) -m pytest -q
 
@@ -111,8 +114,13 @@ report: setup ## Draw plots and the page again from RESULT (default reports/out/
 readme: setup ## Write the tables of README and docs from the published results
 	@$(PYTHON) -m octocell_report readme $(PAGES)
 
-steps: ## Write the step page, reports/out/steps.html: the course's scenes, array by array
-	@python3 scripts/build_pages.py -o reports/out/steps.html
+traces: build ## Write the tables of docs/stages from runs of the program
+	@$(PYTHON) scripts/trace_tables.py --octocell $(BUILD)/octocell docs/stages/*.md
+
+steps: build ## Write the step page, reports/out/steps.html: the course's scenes, array by array
+	@mkdir -p reports/out
+	@$(BUILD)/octocell trace $(COURSE_SCENES) --rule as_written --html reports/out/steps.html
+	@echo "open reports/out/steps.html"
 
 studies: setup ## Draw docs/ablation and docs/error from the published results
 	@scripts/draw_studies.sh

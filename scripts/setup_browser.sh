@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Installs what the browser tests need: Chromium, its driver, Chinese fonts, selenium. Run again, or
+# Installs what the browser tests need: Chromium, its driver, Chinese fonts, selenium, jsonschema. Run again, or
 # without a network, it does nothing. Where Chromium is no package (Ubuntu), it says so, and the
 # tests are left out.
 set -euo pipefail
@@ -20,6 +20,6 @@ if [ ${#missing[@]} -gt 0 ]; then
     apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null ||
     say "no Chromium here: browser tests are left out"
 fi
-.venv/bin/python -c 'import selenium' 2>/dev/null ||
+.venv/bin/python -c 'import jsonschema, selenium' 2>/dev/null ||
   .venv/bin/python -m pip install --quiet --disable-pip-version-check -r tests/course/requirements.txt ||
-  say "selenium could not be installed: browser tests are left out"
+  say "selenium and jsonschema could not be installed: their tests are left out"

@@ -5,10 +5,11 @@
 
 // A link may say where to begin: ?lang=zh&scene=negative&rule=lowest_cell&step=12
 const asked = new URLSearchParams(location.search);
+const firstScene = Math.max(0, SCENES.findIndex((scene) => scene.name === asked.get("scene")));
 const state = {
   language: asked.get("lang") === "zh" ? 1 : 0,
-  scene: Math.max(0, SCENES.findIndex((scene) => scene.name === asked.get("scene"))),
-  rule: RULES.includes(asked.get("rule")) ? asked.get("rule") : RULES[0],
+  scene: firstScene,
+  rule: RULES.includes(asked.get("rule")) ? asked.get("rule") : recordedRule(SCENES[firstScene].recorded),
   step: 0,
   side: 0,       // of rule lowest_cell; 0: two largest radii
   spread: 1,     // radii become r_max (r / r_max) ^ spread
@@ -91,6 +92,15 @@ function show() {
   showProgram(step.code);
   showQuestion(step);
   showRules();
+  showRecorded();
+}
+
+/** Whether the run in the file, on the scene as it was given, agrees with this page. */
+function showRecorded() {
+  const {recorded} = SCENES[state.scene];
+  const {key, side} = compareWith(recorded, tracer);
+  $("recorded").textContent = word(key, {backend: recorded.backend, side: short(side)});
+  $("recorded").classList.toggle("differs", key === "recorded_differs");
 }
 
 function showProgram([name, pattern]) {
@@ -226,8 +236,11 @@ function onInput(id, change) {
 }
 
 function reset() {
-  Object.assign(state, {step: 0, side: 0, spread: 1, count: 0, moved: {}});
-  for (const [id, value] of [["side", 0], ["spread", 1], ["count", SCENES[state.scene].spheres.length]]) $(id).value = value;
+  const {recorded, spheres} = SCENES[state.scene];
+  const side = recordedSide(recorded);
+  Object.assign(state, {step: 0, side, spread: 1, count: 0, moved: {}});
+  const largest = Math.max(...spheres.map((s) => s[3]));
+  for (const [id, value] of [["side", largest ? 10 * side / largest : 0], ["spread", 1], ["count", SCENES[state.scene].spheres.length]]) $(id).value = value;
 }
 
 function listen() {

@@ -17,6 +17,18 @@ const TEXTS = {
   step: ["Step {step} of {steps}", "第 {step} 步，共 {steps} 步"],
   predict: ["Predict", "先猜"],
   predict_score: ["{right} of {asked} right", "{asked} 题答对 {right} 题"],
+  recorded_same: [
+    "A recorded run of {backend}, cells of {side}, has the same cell ids, homes, phantoms and pairs.",
+    "已与 {backend} 的一次真实运行（单元格边长 {side}）核对：单元格编号、主单元格、幻影和结果对完全一致。",
+  ],
+  recorded_pairs: [
+    "A recorded run of {backend} has the same pairs.",
+    "已与 {backend} 的一次真实运行核对：结果对完全一致。",
+  ],
+  recorded_differs: [
+    "A recorded run of {backend} differs from this page!",
+    "与 {backend} 的一次真实运行不一致！",
+  ],
   side: ["Cell side", "单元格边长"],
   spread: ["Radius spread", "半径差异"],
   count: ["Balls", "球数"],

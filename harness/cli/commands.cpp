@@ -27,6 +27,7 @@ constexpr NamedCommand kCommands[] = {
     {"find", add_find},
     {"explain", add_explain},
     {"why", add_why},
+    {"trace", add_trace},
     {"generate", add_generate},
     {"judge", OCTOCELL_UNLESS_USERS_BUILD(add_judge)},
     {"try", OCTOCELL_UNLESS_USERS_BUILD(add_try)},

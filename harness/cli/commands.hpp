@@ -18,6 +18,7 @@ void add_list(CLI::App& sub, Command& command);
 void add_find(CLI::App& sub, Command& command);
 void add_explain(CLI::App& sub, Command& command);
 void add_why(CLI::App& sub, Command& command);
+void add_trace(CLI::App& sub, Command& command);
 void add_generate(CLI::App& sub, Command& command);
 // Not in a build without FCL, Bullet, GMP and Google Benchmark:
 void add_judge(CLI::App& sub, Command& command);

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 from hard_scenes import Spheres
-from program import ROOT, Octocell, module_of
+from program import ROOT, RULES, Octocell
 
 pytest.importorskip("selenium", reason="no selenium: scripts/setup_browser.sh installs it")
 if not (shutil.which("chromium") and shutil.which("chromedriver")):
@@ -34,10 +34,11 @@ Trace = dict[str, Any]
 
 
 @pytest.fixture(scope="module")
-def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    build_pages = module_of(ROOT / "scripts/build_pages.py")
+def page(octocell: Octocell, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What `make steps` writes."""
     path = tmp_path_factory.mktemp("page") / "steps.html"
-    path.write_text(build_pages.page(build_pages.course_scenes()), encoding="utf-8")
+    scenes = sorted((ROOT / "course/scenes").glob("*.csv"), key=lambda path: path.stem != "eight")
+    octocell.ok("trace", *scenes, "--rule", "as_written", "--html", path)
     return path
 
 
@@ -180,6 +181,22 @@ def test_questions_come_before_answers(browser: webdriver.Chrome, page: Path) ->
     assert browser.find_element(By.ID, "score").text == "1 of 1 right"
 
 
+def test_the_module_agrees_with_runs_on_random_scenes(
+    browser: webdriver.Chrome, page: Path, octocell: Octocell, tmp_path: Path
+) -> None:
+    """Cells, homes, phantoms, pairs: a thousand runs."""
+    open_page(browser, page)
+    ways = [(b, r) for b in ("impl_cpu", "impl_thrust") for r in RULES]
+    for number, spheres in enumerate(random_scenes(1000)):
+        backend, rule = ways[number % len(ways)]
+        np.save(tmp_path / "scene.npy", spheres)
+        asked = (tmp_path / "scene.npy", "--backend", backend, "--rule", rule)
+        octocell.ok("trace", *asked, "-o", tmp_path / "trace.json")
+        recorded = json.loads((tmp_path / "trace.json").read_text(encoding="utf-8"))
+        script = "return compareWith(arguments[0], tracer).key"
+        assert browser.execute_script(script, recorded) == "recorded_same", (number, rule)
+
+
 def random_scenes(count: int) -> Iterator[Spheres]:
     random = np.random.default_rng(3)
     for _ in range(count):
@@ -232,7 +249,7 @@ def test_the_module_makes_the_arrays_of_the_text(
     source = ROOT / "course/pipeline/1_as_written.cpp"
     subprocess.run(["g++", "-std=c++20", "-ffp-contract=off", source, "-o", program], check=True)
     open_page(browser, page)
-    for spheres in random_scenes(40):
+    for spheres in random_scenes(1000):
         rows = [",".join(np.format_float_positional(v, unique=True) for v in s) for s in spheres]
         (tmp_path / "scene.csv").write_text("\n".join(rows) + "\n", encoding="utf-8")
         text = subprocess.run(
@@ -248,6 +265,40 @@ def test_the_module_makes_the_arrays_of_the_text(
         assert [[c[name] for name in names] for c in found["cell_index"]["cells"]] == [
             list(map(int, cell)) for cell in cells
         ]
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ("--rule", "as_written"),
+        ("--rule", "chapter32"),
+        ("--rule", "lowest_cell"),
+        ("--rule", "lowest_cell", "--cell-side", "1.25", "--backend", "impl_thrust"),
+        ("--method", "half_shell"),
+        ("--method", "brute_force"),
+    ],
+    ids=" ".join,
+)
+def test_the_page_agrees_with_the_run_that_it_holds(
+    browser: webdriver.Chrome, octocell: Octocell, tmp_path: Path, options: tuple[str, ...]
+) -> None:
+    scenes = ("course/scenes/eight.csv", "gas:n=32,phi=0.3", "poly:n=20")
+    asked = [ROOT / scene if "/" in scene else scene for scene in scenes]
+    octocell.ok("trace", *asked, *options, "--html", tmp_path / "page.html")
+    open_page(browser, tmp_path / "page.html")
+    for scene in range(len(scenes)):
+        browser.execute_script(
+            "const choice = document.getElementById('scene'); choice.value = arguments[0];"
+            "choice.dispatchEvent(new Event('input'))",
+            scene,
+        )
+        said = browser.find_element(By.ID, "recorded")
+        assert said.text.startswith("A recorded run of impl_") and " has the same " in said.text
+        side = browser.execute_script("return trace.side")
+        if "--cell-side" in options:
+            assert side == 1.25 and "cells of 1.25" in said.text
+    browser.execute_script("SCENES[0].recorded.pairs.pop(); state.scene = 0; show()")
+    assert "differs" in browser.find_element(By.ID, "recorded").text
 
 
 def test_the_committed_module_is_built_of_these_sources() -> None:
