@@ -104,6 +104,27 @@ def test_the_module_makes_the_arrays_of_the_text(
         ]
 
 
+def test_the_page_of_the_course_loses_what_the_program_loses(
+    browser: webdriver.Chrome, page: Path, octocell: Octocell
+) -> None:
+    open_page(browser, page)
+    names = browser.execute_script("return SCENES.map(scene => scene.name)")
+    script = "return SCENES.map(scene => compareWith(scene.recorded, tracer).key)"
+    assert browser.execute_script(script) == ["recorded_same"] * len(names)
+    counted = browser.execute_script(
+        "return SCENES.map(scene => numbersOf(tracer.trace(scene.spheres, 'as_written', 0)))"
+    )
+    for name, numbers in zip(names, counted, strict=True):
+        scene = ROOT / f"course/scenes/{name}.csv"
+        checked = octocell.run("check", scene, "--backend", "impl_cpu").stdout
+        row = re.search(r"impl_cpu home_phantom as_written +(.*)", checked)
+        assert row
+        lost = re.match(r"missed (\d+).*, false 0, duplicates (\d+)", row[1])
+        assert (numbers["missed"], numbers["duplicates"]) == (
+            (int(lost[1]), int(lost[2])) if lost else (0, 0)
+        ), (name, row[1])
+
+
 @pytest.mark.parametrize(
     "options",
     [
