@@ -32,7 +32,7 @@ from octocell_import.text import DAMAGED, File  # noqa: E402
 from octocell_report.fields import ReportError  # noqa: E402
 
 READ_BY_PLAIN = "refused, read by the plain reader"
-SECONDS = 5  # for one mutant
+SECONDS = 5  # of this process, for one mutant
 SHOWN = {"fault": 5, READ_BY_PLAIN: 2}
 MEMORY = 4 << 30  # bytes, for all mutants of a format
 SOME_BYTES = [*range(256), *b" 0159.-+eE\n" * 20]
@@ -125,8 +125,8 @@ def judge(name: str, content: bytes) -> tuple[str, str]:
     def stop(*_: object) -> None:
         raise TimeoutError(f"more than {SECONDS} s")
 
-    signal.signal(signal.SIGALRM, stop)
-    signal.alarm(SECONDS)
+    signal.signal(signal.SIGVTALRM, stop)
+    signal.setitimer(signal.ITIMER_VIRTUAL, SECONDS)
     try:
         found = read_ours(name, content)
     except ReportError as error:
@@ -134,7 +134,7 @@ def judge(name: str, content: bytes) -> tuple[str, str]:
     except Exception as error:
         return "fault", f"{type(error).__name__}: {str(error)[:200]}"
     finally:
-        signal.alarm(0)
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
     if found is None and ("\n" in refusal or len(refusal) > 1000):
         return "fault", f"more than a line: {refusal!r}"
     try:

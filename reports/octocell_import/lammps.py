@@ -154,7 +154,7 @@ def _dumped(file: File, said: dict[str, list[bytes]], names: list[str]) -> Frame
     columns, lines = file.words(int(said["NUMBER OF ATOMS"][0]), own)
     for name, used in zip(names, own, strict=True):  # LIGGGHTS writes the type twice
         if (columns[name] != columns[used]).any():
-            file.refuse(f"two columns are called {name}, and differ", title)
+            file.refuse(f"two columns are called {quote(name)}, and differ", title)
     about = f"columns    {' '.join(xyz)}"
     places = [columns[name] for name in xyz]
     if "s" in xyz[0]:

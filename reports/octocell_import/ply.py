@@ -30,7 +30,7 @@ def read(file: File) -> Iterator[Frame]:
     order, elements = _header(file)
     if "vertex" not in elements:
         raise InputError("no vertices")
-    columns = {name: _rows(file, name, *elements[name], order) for name in elements}
+    columns = {name: _rows(file, quote(name), *elements[name], order) for name in elements}
     if file.filled():
         file.refuse("more follows than the header says")
     yield points(*columns["vertex"])

@@ -4,28 +4,33 @@
 http://www.neuronland.org/NLMorphologyConverter/MorphologyFormats/SWC/Spec.html
 """
 
+from array import array
 from collections.abc import Iterator
 
 import numpy as np
 
 from octocell_import import InputError
 from octocell_import.frame import Frame, kinds_of
-from octocell_import.text import File, as_column
+from octocell_import.text import File, as_column, as_columns
 
 _NAMES = ("id", "label", "x", "y", "z", "radius", "parent")
+_CHUNK = 50_000  # words, which are turned into a column to save memory
 
 
 def read(file: File) -> Iterator[Frame]:
-    rows, lines = [], []
+    parts, words, lines = [], [], array("q")
     for line in file:
-        words = file.split(line.partition(b"#")[0])
-        if len(words) == len(_NAMES):
-            rows.append(words)
-            lines.append(file.number)
-        elif words:
-            file.refuse(f"{len(words)} words, expected {len(_NAMES)}: {' '.join(_NAMES)}")
-    if not rows:
+        row = file.split(line.partition(b"#")[0])
+        if len(row) not in (0, len(_NAMES)):
+            file.refuse(f"{len(row)} words, expected {len(_NAMES)}: {' '.join(_NAMES)}")
+        words += row
+        lines.extend([file.number] * bool(row))
+        if len(words) > _CHUNK:
+            parts.append(as_column(words))
+            words = []
+    if not lines:
         raise InputError("no node")
-    columns = {n: as_column(list(c)) for n, c in zip(_NAMES, zip(*rows, strict=True), strict=True)}
+    table = np.concatenate([*parts, as_column(words)]).reshape(-1, len(_NAMES))
+    columns = as_columns(table, _NAMES)
     columns["kind"], kinds = kinds_of(lambda kind: None, columns["label"])
     yield Frame(columns | {"line": np.array(lines)}, kinds=kinds)

@@ -132,8 +132,7 @@ class File:
             parts.append(as_column(b" ".join(lines).split()).reshape(-1, width))
         table = np.concatenate(parts[bool(count) :])
         names = names or [str(k) for k in range(least)]
-        columns = {name: np.ascontiguousarray(table[:, k]) for k, name in enumerate(names)}
-        return columns, np.arange(count) + before + 1
+        return as_columns(table, names), np.arange(count) + before + 1
 
 
 def is_whole(word: bytes) -> bool:
@@ -150,6 +149,10 @@ def as_column(words: list[bytes]) -> Column:
     if b"\0" in b"".join(words):  # NumPy would strip it
         raise InputError("a word holds a zero byte")
     return np.array(words, object if max(map(len, words), default=0) > _WIDEST else "S")
+
+
+def as_columns(table: Column, names: Sequence[str]) -> dict[str, Column]:
+    return {name: np.ascontiguousarray(table[:, k]) for k, name in enumerate(names)}
 
 
 def card(file: File, line: bytes, least: int, width: int) -> bytes:

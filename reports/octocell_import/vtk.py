@@ -11,7 +11,7 @@ import numpy as np
 from octocell_import import InputError, quote
 from octocell_import.decimals import Column
 from octocell_import.frame import Frame, points
-from octocell_import.text import File, as_column
+from octocell_import.text import File, as_column, as_columns
 
 _TYPES = {"unsigned_char": "u1", "char": "i1", "unsigned_short": "u2", "short": "i2", "int": "i4"}
 _TYPES |= {"unsigned_int": "u4", "unsigned_long": "u8", "long": "i8", "vtktypeint64": "i8"}
@@ -44,15 +44,20 @@ def read(file: File) -> Iterator[Frame]:
             file.refuse(f"{len(words)} numbers, where {total} were expected")
         return as_column(words)
 
-    xyz, sizes, rows, of_points = np.empty((0, 3), "S1"), ("0", "0"), "0", False
+    xyz: Column | None = None
+    sizes, rows, of_points, arrays = ("0", "0"), "0", False, 0  # arrays of a FIELD that follow
     columns: dict[str, Column] = {}
     while words := [word.decode("ascii", "replace") for word in file.filled().split()]:
         found: dict[str, Column] = {}
         match [words[0].upper(), *words[1:]]:
+            case [_, many, count, kind] if arrays > 0:
+                arrays, found = arrays - 1, {words[0]: numbers(count, kind, many)}
             case ["DATASET", kind] if kind.upper() in _DATASETS:
                 pass
-            case ["DIMENSIONS", _, _, _] | ["FIELD", _, _]:
+            case ["DIMENSIONS", _, _, _]:
                 pass
+            case ["FIELD", _, count]:
+                arrays = file.count(count.encode(), "number of arrays")
             case ["METADATA"]:
                 while file.line().strip():
                     pass
@@ -77,9 +82,11 @@ def read(file: File) -> Iterator[Frame]:
                 numbers(rows, "unsigned_char", many)
             case ["LOOKUP_TABLE", _, count]:
                 numbers(count, "unsigned_char", 4)
-            case [name, many, count, kind] if many.isdigit() and count.isdigit():  # of a FIELD
-                found = {name: numbers(count, kind, many)}
             case _:
                 file.refuse(f"{quote(' '.join(words))} is nothing that is known here")
         columns |= found if of_points else {}
-    yield points(dict(zip("xyz", xyz.T, strict=True)) | columns)
+    if xyz is None or arrays:
+        raise InputError(
+            f"ends after line {file.number}, before {'an array' if arrays else 'POINTS'}"
+        )
+    yield points(as_columns(xyz, "xyz") | columns)

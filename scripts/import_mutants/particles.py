@@ -216,7 +216,7 @@ def vtk(content: bytes) -> Frames:
         raise Unjudged
     take(lines)
     need(filled(lines).strip().upper() == b"ASCII")
-    xyz, rows_of_data = [], b"0"
+    xyz, rows_of_data = None, b"0"
 
     def numbers(count: int) -> list[bytes]:
         words: list[bytes] = []
@@ -247,9 +247,10 @@ def vtk(content: bytes) -> Frames:
             need(take(lines).upper().startswith(b"LOOKUP_TABLE"))
             many = whole(words[3]) if len(words) == 4 else 1
             found = numbers(whole(rows_of_data) * many)
-            need(words[1].lower() != b"radius" or len(found) == len(xyz))
+            need(words[1].lower() != b"radius" or len(found) == len(xyz or []))
         else:
             raise Unjudged
+    need(xyz is not None)
     return [[tuple(map(number, words)) for words in xyz]]
 
 

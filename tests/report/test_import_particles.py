@@ -118,7 +118,7 @@ def test_columns_may_stand_twice_if_they_agree(tmp_path):
 def test_columns_that_stand_twice_and_differ_are_refused(tmp_path, capsys):
     twice = DUMP.format(columns="id x y z x radius", first="1 2 3 1 4", second="1 2 3 2 4")
     error = refusal(tmp_path, capsys, "a.dump", twice)
-    assert "line 9: two columns are called x, and differ" in error
+    assert "line 9: two columns are called 'x', and differ" in error
 
 
 # PLY
@@ -141,8 +141,8 @@ def test_ply_decimals_are_rounded_once(tmp_path):
         ("2 0 1\n", "2 0 1\n2 0 1\n", "line 14: more follows than the header says"),
         ("property float y", "property float x", "two properties are called 'x'"),
         ("property float y", "property float X", "two columns are called x, one of them 'X'"),
-        ("2 0 1\n", "3 0 1\n", "row 1 of 1 of element face has too few numbers"),
-        ("2 0 1\n", "1 0 1\n", "row 1 of 1 of element face has too many numbers"),
+        ("2 0 1\n", "3 0 1\n", "row 1 of 1 of element 'face' has too few numbers"),
+        ("2 0 1\n", "1 0 1\n", "row 1 of 1 of element 'face' has too many numbers"),
         ("2 0 1\n", f"{'9' * 5000} 0\n", "has too few numbers"),
         ("vertex 2", f"vertex {'9' * 5000}", "is no number of rows"),
         ("float x", "half x", "line 4: no sound PLY"),
@@ -175,7 +175,7 @@ def test_ply_lists_may_stand_before_and_among_the_coordinates(tmp_path, capsys):
     (tmp_path / "out.npy").unlink()
     capsys.readouterr()
     error = refusal(tmp_path, capsys, "a.ply", whole[:-1])
-    assert f"byte {len(whole) - 1}: the file ends within element vertex" in error
+    assert f"byte {len(whole) - 1}: the file ends within element 'vertex'" in error
     assert "more follows" in refusal(tmp_path, capsys, "a.ply", whole + b"x")
 
 
@@ -257,6 +257,9 @@ def test_vtk_binary(tmp_path):
         ("POLYDATA", "STRUCTURED_POINTS", "line 4: 'DATASET STRUCTURED_POINTS' is nothing"),
         ("VECTORS v float", "VECTORS v string", "is no type of numbers"),
         ("0.25\n", "0.25\n0.1\n", "line 19: '0.1' is nothing that is known"),
+        ("0.25\n", "0.25\nmass 1 2 float\n1\n2\n", "'mass 1 2 float' is nothing that is known"),
+        ("0.25\n", "0.25\nFIELD f 1\n", "ends after line 19, before an array"),
+        (VTK[VTK.index("POINTS") :].format(name="radius"), "", "line 4, before POINTS"),
         ("\n6\n", "\nsix\n", "atom 2: z: 'six' is not a number"),
     ],
 )
