@@ -123,11 +123,14 @@ _CODES |= {b"uint16": "H", b"int32": "i", b"uint32": "I", b"float32": "f", b"flo
 
 
 def ply(content: bytes) -> Frames:
-    head, found, body = content.removeprefix(b"\xef\xbb\xbf").partition(b"end_header")
+    content = content.removeprefix(b"\xef\xbb\xbf")
+    found = re.search(rb"\n\s*end_header", content)
+    need(found)
+    head, body = content[: found.start() + 1], content[found.end() :]
     rest, _, body = body.partition(b"\n")
     header = [line.split() for line in head.split(b"\n")]
-    need(found and header[0] == [b"ply"] and not header[-1] and not rest.strip())
-    need(b"\n\r" not in head + b"end_header")
+    need(header[0] == [b"ply"] and not rest.strip())
+    need(b"\n\r" not in content[: found.end()])
     form, elements = b"", []
     for words in header[1:]:
         if words[:1] in ([], [b"comment"], [b"obj_info"]):
