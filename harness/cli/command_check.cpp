@@ -29,6 +29,7 @@ namespace {
 struct Options {
   std::vector<std::string> scenes;
   std::string backend = "all";
+  std::vector<std::string> plugins;
   LoadOptions load;
   int threads = 0;
   double candidate_limit = 2e10;
@@ -186,6 +187,7 @@ Limits limits_of(const Options& options) {
 }
 
 int check(const Options& options) {
+  load_plugins(options.plugins);
   const std::vector<Implementation> rows = implementations(options.backend);
   const Limits limits = limits_of(options);
   if (options.load.flags && options.scenes.size() != 1) {
@@ -219,6 +221,7 @@ void add_check(CLI::App& sub, Command& command) {
   sub.add_option("SCENE", o->scenes, "Files or generators (default: every generator, small)");
   add_scene_options(sub, o->load);
   sub.add_option("--backend", o->backend, "A backend, a baseline, or all");
+  add_plugin_option(sub, o->plugins);
   sub.add_option("--threads", o->threads, "Threads; 0 (default): all");
   sub.add_option("--candidate-limit", o->candidate_limit,
                  "Skip a row that counts more candidate pairs than this");

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/available_memory.hpp"
@@ -31,7 +32,8 @@ namespace {
 
 struct Options {
   std::string scene;
-  std::string backend = "impl_cpu";
+  std::string backend;  // empty: the first plug-in, or impl_cpu
+  std::vector<std::string> plugins;
   std::string predicate;
   OwnChoices own;
   LoadOptions load;
@@ -45,7 +47,9 @@ struct Options {
 };
 
 Implementation chosen_implementation(const Options& options) {
-  Implementation chosen{.backend = &backend_named(options.backend)};
+  const std::string_view unnamed = load_plugins(options.plugins).value_or("impl_cpu");
+  Implementation chosen{.backend =
+                            &backend_named(options.backend.empty() ? unnamed : options.backend)};
   const bool asks_for_method = options.own.any() || !options.predicate.empty() || options.explain;
   if (chosen.is_baseline() && asks_for_method) {
     throw InputError(
@@ -232,7 +236,9 @@ void add_find(CLI::App& sub, Command& command) {
   sub.description("Find every overlapping pair of a scene");
   sub.add_option("SCENE", o->scene, kSceneHelp)->required();
   add_scene_options(sub, o->load);
-  sub.add_option("--backend", o->backend, "A backend or a baseline; see 'octocell list'");
+  sub.add_option("--backend", o->backend,
+                 "A backend or a baseline (default impl_cpu, or the plug-in); see 'octocell list'");
+  add_plugin_option(sub, o->plugins);
   add_own_choices(sub, o->own);
   sub.add_option("--predicate", o->predicate, kPredicateHelp);
   sub.add_option("--threads", o->threads, "Threads; 0 (default): all");

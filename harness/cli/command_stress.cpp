@@ -31,6 +31,7 @@ using Json = nlohmann::ordered_json;
 struct Options {
   std::string size = "quick";
   std::string backend = "all";
+  std::vector<std::string> plugins;
   std::string filter;
   int threads = 0;
   double timeout = 10.0;  // seconds
@@ -156,6 +157,7 @@ int run_stress(const Options& options) {
   if (options.list) return list_entries(entries);
   const Size size = enumerator_named<Size>("size", options.size, kSizeNames);
   const Limits limits = limits_for(size, options);
+  load_plugins(options.plugins);
   const std::vector<Implementation> all = judged(options.backend);
   const bench::ResultFile file(options.output);
   file.make_folder();
@@ -198,6 +200,7 @@ void add_stress(CLI::App& sub, Command& command) {
   sub.description("Check every implementation on scenes made to break broad phases");
   sub.add_option("--size", o->size, "slice (seconds), quick (minutes, default) or full (hours)");
   sub.add_option("--backend", o->backend, "A backend, a baseline, ours (no baselines), or all");
+  add_plugin_option(sub, o->plugins);
   sub.add_option("--entry", o->filter, "Only entries whose ids match, such as A.* or C18");
   sub.add_option("--threads", o->threads, "Threads; 0 (default): all");
   sub.add_option("--timeout", o->timeout,

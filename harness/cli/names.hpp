@@ -130,6 +130,23 @@ inline void say_if_threads_lack(const Plan& plan, const Counts& counts) {
              counts.threads);
 }
 
+inline void add_plugin_option(CLI::App& sub, std::vector<std::string>& plugins) {
+  sub.add_option("--plugin", plugins,
+                 "A shared library with find_pairs (octocell_plugin.h), as one more row "
+                 "(repeatable)")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+/// Adds the rows. Returns the name of the first; none if there is no plug-in.
+inline std::optional<std::string_view> load_plugins(const std::vector<std::string>& plugins) {
+  std::optional<std::string_view> first;
+  for (const std::string& path : plugins) {
+    const std::string_view name = add_plugin(path).name;
+    if (!first) first = name;
+  }
+  return first;
+}
+
 inline std::chrono::duration<double> time_limit(double seconds) {
   if (!(seconds > 0.0) || seconds > 1e6) {
     throw InputError(fmt::format("--timeout {}: must be above 0 and at most 1e6 seconds", seconds));

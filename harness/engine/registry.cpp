@@ -6,11 +6,14 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
+#include <filesystem>
 #include <memory>
 #include <vector>
 
 #include "baselines/baselines.hpp"
 #include "core/error.hpp"
+#include "harness/engine/plugin_finder.hpp"
 #include "impl_cpu/backend.hpp"
 #include "impl_cuda_custom/backend.hpp"
 #include "impl_thrust/backend.hpp"
@@ -133,7 +136,7 @@ BackendInfo info_of(const baselines::Baseline& baseline) {
           .known_issues = baseline.known_issues};
 }
 
-constexpr std::array kOurs = {
+const std::array kOurs = {
     BackendInfo{.name = "impl_cpu",
                 .kind = Kind::backend,
                 .summary = "uniform grid and radix sort on CPU threads",
@@ -177,17 +180,56 @@ constexpr std::array kOurs = {
                 .costs = kDeviceCosts},
 };
 
+constexpr std::size_t kMostPlugins = 32;
+
+/// Has room for plug-ins, so that no entry moves when one is added.
 std::vector<BackendInfo> ours_then_baselines() {
   std::vector<BackendInfo> all(kOurs.begin(), kOurs.end());
+  all.reserve(all.size() + baselines::all().size() + kMostPlugins);
   for (const baselines::Baseline& baseline : baselines::all()) all.push_back(info_of(baseline));
   return all;
 }
 
+std::vector<BackendInfo>& all_backends() {
+  static std::vector<BackendInfo> all = ours_then_baselines();
+  return all;
+}
+
+std::string name_of_plugin(const std::string& path) {
+  std::string stem = std::filesystem::path(path).stem().string();
+  if (stem.starts_with("lib")) stem.erase(0, 3);
+  return "plugin_" + stem;
+}
+
 }  // namespace
 
-std::span<const BackendInfo> backends() {
-  static const std::vector<BackendInfo> all = ours_then_baselines();
-  return all;
+std::span<const BackendInfo> backends() { return all_backends(); }
+
+const BackendInfo& add_plugin(const std::string& path) {
+  static std::deque<std::string> names;  // which the entries refer to
+  const std::string name = name_of_plugin(path);
+  const auto refuse = [&](std::string_view why) {
+    throw InputError(fmt::format("--plugin {}: {}", path, why));
+  };
+  if (std::ranges::find(backends(), name, &BackendInfo::name) != backends().end())
+    refuse("there is a row of this name, " + name);
+  if (names.size() == kMostPlugins) refuse("too many");
+  std::shared_ptr<const PluginLibrary> library;
+  try {
+    library = std::make_shared<const PluginLibrary>(std::filesystem::absolute(path).string());
+  } catch (const InputError& error) {
+    refuse(error.what());
+  }
+  names.push_back(name);
+  all_backends().push_back({.name = names.back(),
+                            .kind = Kind::baseline,
+                            .summary = "a plug-in",
+                            .methods = {},
+                            .predicates = {},
+                            .threaded = false,
+                            .why_unavailable = always_available,
+                            .create = [library] { return make_plugin_finder(library); }});
+  return all_backends().back();
 }
 
 const BackendInfo& backend_named(std::string_view name) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -28,7 +29,7 @@ struct BackendInfo {
   bool threaded;                               // false: one thread, whatever the plan says
   /// Returns none if it can run here, otherwise why not.
   std::optional<std::string> (*why_unavailable)();
-  std::unique_ptr<PairFinder> (*create)();
+  std::function<std::unique_ptr<PairFinder>()> create;
   /// True if it computes on a GPU, with the GPU's memory.
   bool device = false;
   /// True if it has device_runs().
@@ -39,11 +40,15 @@ struct BackendInfo {
   std::string_view known_issues = {};
 };
 
-/// Returns backends first, then baselines: the order of every table and plot.
+/// Returns backends first, then baselines, then plug-ins: the order of every table and plot.
 std::span<const BackendInfo> backends();
 
 /// Returns the entry of that name. Throws InputError that lists the known names.
 const BackendInfo& backend_named(std::string_view name);
+
+/// Loads a shared library as one more row, "plugin_mine" for libmine.so, and returns its entry.
+/// Throws InputError if it cannot be loaded, if its name is taken, or if there are too many.
+const BackendInfo& add_plugin(const std::string& path);
 
 /// One way to answer: a row of every table.
 struct Implementation {

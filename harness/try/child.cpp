@@ -181,18 +181,24 @@ void Child::wait_for(int fd, short events) {
       throw CannotJudge("prints too much",
                         fmt::format("it printed more than {} MiB", limits_.printed_bytes >> 20));
     }
-    const double resident = resident_bytes(id_);
-    if (resident > limits_.memory_bytes) {
-      throw CannotJudge("out of memory",
-                        fmt::format("it holds {:.1f} GiB, more than {:.1f} (--memory)",
-                                    resident / (1 << 30), limits_.memory_bytes / (1 << 30)));
-    }
+    watch_memory();
     if (polled[0].revents != 0) return;
     // The pipe stays open if a process that it started holds it.
     if (has_ended()) say_how_it_ended();
     if (Clock::now() > deadline_)
       throw CannotJudge("hangs", fmt::format("no answer within {:.3g} s", limit_.count()));
   }
+}
+
+void Child::watch_memory() {
+  const auto now = Clock::now();
+  if (now < next_look_) return;
+  next_look_ = now + std::chrono::milliseconds(kWatchMilliseconds);
+  const double resident = resident_bytes(id_);
+  if (resident <= limits_.memory_bytes) return;
+  throw CannotJudge("out of memory",
+                    fmt::format("it holds {:.1f} GiB, more than {:.1f} (--memory)",
+                                resident / (1 << 30), limits_.memory_bytes / (1 << 30)));
 }
 
 bool Child::has_ended() const {
@@ -203,7 +209,7 @@ bool Child::has_ended() const {
 }
 
 void Child::take_printed() {
-  std::array<char, 4096> buffer = {};
+  std::array<char, 65536> buffer;
   const ssize_t got = ::read(output_, buffer.data(), buffer.size());
   if (got == 0) close(std::exchange(output_, -1));
   if (got <= 0) return;

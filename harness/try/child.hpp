@@ -60,6 +60,7 @@ class Child {
   /// limits.
   void wait_for(int fd, short events);
   [[nodiscard]] bool has_ended() const;
+  void watch_memory();
   void take_printed();
   [[noreturn]] void say_how_it_ended();
   void end_all();
@@ -72,6 +73,7 @@ class Child {
   std::string printed_ = {};
   std::uint64_t printed_bytes_ = 0;
   Clock::time_point deadline_ = {};
+  Clock::time_point next_look_ = {};  // at its memory
   std::chrono::duration<double> limit_ = {};
 };
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "harness/try/library_runner.hpp"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
@@ -19,8 +17,8 @@
 #include "core/error.hpp"
 #include "core/sphere.hpp"
 #include "harness/files/load_pairs.hpp"
+#include "harness/plugin/plugin_library.hpp"
 #include "harness/try/protocol.hpp"
-#include "include/octocell/octocell_plugin.h"
 
 namespace octocell::hand_in {
 namespace {
@@ -59,106 +57,45 @@ void answer_failure(std::string_view text) {
   write_whole(std::as_bytes(std::span(text)));
 }
 
-/// Room for pairs, and a red zone behind it that must not change.
-class Room {
- public:
-  explicit Room(std::uint64_t capacity)
-      : capacity_(capacity), pairs_(capacity + kRedZone, kUnwritten) {}
-  [[nodiscard]] octocell_pair* data() { return pairs_.data(); }
-  [[nodiscard]] std::uint64_t capacity() const { return capacity_; }
-  [[nodiscard]] bool is_overrun() const {
-    return std::any_of(pairs_.begin() + static_cast<std::ptrdiff_t>(capacity_), pairs_.end(),
-                       [](octocell_pair p) { return p.i != kUnwritten.i || p.j != kUnwritten.j; });
-  }
-  [[nodiscard]] std::vector<ListedPair> first(std::uint64_t count) const {
-    std::vector<ListedPair> list;
-    list.reserve(count);
-    for (std::uint64_t k = 0; k < count; ++k) list.push_back({pairs_[k].i, pairs_[k].j});
-    return list;
-  }
+std::vector<ListedPair> as_list(std::span<const octocell_pair> pairs) {
+  std::vector<ListedPair> list;
+  list.reserve(pairs.size());
+  for (const octocell_pair p : pairs) list.push_back({p.i, p.j});
+  return list;
+}
 
- private:
-  static constexpr std::size_t kRedZone = 1024;
-  static constexpr octocell_pair kUnwritten = {0xfffffff1U, 0xfffffff2U};
-  std::uint64_t capacity_;
-  std::vector<octocell_pair> pairs_;
-};
-
-/// The functions of a shared library.
-class Plugin {
- public:
-  explicit Plugin(const std::string& path) {
-    void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (library == nullptr) throw InputError(dlerror());
-    find_ = function<decltype(find_pairs)>(library, "find_pairs");
-    prepare_ = function<decltype(prepare)>(library, "prepare");
-    finish_ = function<decltype(finish)>(library, "finish");
-    if (find_ == nullptr) {
-      throw InputError(
-          "it has no function find_pairs; in C++, extern \"C\" keeps its name, and "
-          "octocell_plugin.h declares it so");
-    }
-  }
-
-  std::vector<ListedPair> find(std::span<const Sphere> spheres, const Question& question) {
-    const std::vector<Sphere> before(spheres.begin(), spheres.end());
-    const auto n = static_cast<std::uint32_t>(spheres.size());
-    if (prepare_ != nullptr) require_success("prepare", prepare_(n));
-    Room room(question.capacity);
-    std::uint64_t count = call(spheres, room);
-    if (count > room.capacity()) {
-      if (count > question.most_pairs)
-        throw LimitError(
-            fmt::format("it counts {} pairs; at most {} are read", count, question.most_pairs));
-      room = Room(count);
-      const std::uint64_t again = call(spheres, room);
-      if (again > count)
-        throw LimitError(
-            fmt::format("it asked for room for {} pairs, and then for {}", count, again));
-      count = again;
-    }
-    if (finish_ != nullptr) finish_();
-    if (!spheres.empty() && std::memcmp(before.data(), spheres.data(), spheres.size_bytes()) != 0) {
-      throw LimitError("it changed the spheres");
-    }
-    return room.first(count);
-  }
-
- private:
-  template <typename Function>
-  static Function* function(void* library, const char* name) {
-    return reinterpret_cast<Function*>(dlsym(library, name));
-  }
-
-  static void require_success(std::string_view name, int code) {
-    if (code != 0) throw LimitError(fmt::format("{} returned {}", name, code));
-  }
-
-  std::uint64_t call(std::span<const Sphere> spheres, Room& room) {
-    std::uint64_t count = 0;
-    const auto* const first = reinterpret_cast<const octocell_sphere*>(spheres.data());
-    const int code = find_(first, static_cast<std::uint32_t>(spheres.size()), room.data(),
-                           room.capacity(), &count, nullptr);
-    require_success("find_pairs", code);
-    if (room.is_overrun()) {
+std::vector<ListedPair> find(const PluginLibrary& plugin, std::span<const Sphere> spheres,
+                             const Question& question) {
+  const std::vector<Sphere> before(spheres.begin(), spheres.end());
+  plugin.prepare(spheres.size());
+  PairRoom room(question.capacity);
+  std::uint64_t count = plugin.find(spheres, room);
+  if (count > room.capacity()) {
+    if (count > question.most_pairs) {
       throw LimitError(
-          fmt::format("it wrote behind the end of pairs, which has room for {}", room.capacity()));
+          fmt::format("it counts {} pairs; at most {} are read", count, question.most_pairs));
     }
-    return count;
+    room = PairRoom(count);
+    const std::uint64_t again = plugin.find(spheres, room);
+    if (again > count) {
+      throw LimitError(
+          fmt::format("it asked for room for {} pairs, and then for {}", count, again));
+    }
+    count = again;
   }
+  plugin.finish();
+  if (!spheres.empty() && std::memcmp(before.data(), spheres.data(), spheres.size_bytes()) != 0)
+    throw LimitError("it changed the spheres");
+  return as_list(room.first(count));
+}
 
-  decltype(find_pairs)* find_ = nullptr;
-  decltype(prepare)* prepare_ = nullptr;
-  decltype(finish)* finish_ = nullptr;
-};
-
-void answer_all(Plugin& plugin) {
+void answer_all(const PluginLibrary& plugin) {
   answer({});
   Question question = {};
   while (read_whole(std::as_writable_bytes(std::span(&question, 1)))) {
     std::vector<Sphere> spheres(question.spheres);
     if (!read_whole(std::as_writable_bytes(std::span(spheres)))) return;
-    answer(plugin.find(spheres, question));
+    answer(find(plugin, spheres, question));
   }
 }
 
@@ -166,8 +103,7 @@ void answer_all(Plugin& plugin) {
 
 int run_library(const std::string& path) {
   try {
-    Plugin plugin(path);
-    answer_all(plugin);
+    answer_all(PluginLibrary(path));
   } catch (const Error& error) {
     answer_failure(error.what());
   } catch (const std::bad_alloc&) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <random>
 #include <string>
@@ -21,7 +22,7 @@
 namespace octocell {
 namespace {
 
-using Create = std::unique_ptr<PairFinder> (*)();
+using Create = std::function<std::unique_ptr<PairFinder>()>;
 using Spheres = std::vector<Sphere>;
 
 const PlanOptions kBuffersOnly = {.buffers_only = true};
@@ -130,8 +131,8 @@ TEST(QuadraticBaselines, StopBeforeTheyStart) {
   PlanOptions options = kBuffersOnly;
   options.candidate_limit = 1'000'000'000;
   const Spheres spheres = generate("gas:n=50000").spheres;
-  for (const Create create : {baselines::make_fcl_naive, baselines::make_bullet_simple,
-                              baselines::make_bullet_axis_sweep_32}) {
+  for (const auto create : {baselines::make_fcl_naive, baselines::make_bullet_simple,
+                            baselines::make_bullet_axis_sweep_32}) {
     const auto finder = create();
     const Outcome outcome = find_completely(*finder, {spheres}, options);
     EXPECT_TRUE(outcome.counts.over_candidate_limit);
