@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 import pandas as pd
 from jinja2 import Environment, PackageLoader, StrictUndefined
@@ -19,6 +19,7 @@ from octocell_report import (
     page_tables,
     plots,
     study_files,
+    words,
 )
 from octocell_report.error import Study
 from octocell_report.files import staged_folder
@@ -26,43 +27,33 @@ from octocell_report.images import Picture
 from octocell_report.load import Result
 from octocell_report.texts import TEXTS, Said, say
 
-# Pictures and tables of each section, in order; correctness first: a time counts only after it.
-_SECTIONS = {
-    "correctness": ("correctness", "wrong", "skipped", "unavailable"),
-    "time": ("time_warm", "time_cold", "time_first_update", "time_update", "times"),
-    "speed": ("speed_warm", "speed_cold", "speed_first_update", "speed_update", "speedups"),
+# Pictures and tables of each section: those in sight, and those that unfold when asked for.
+# Correctness comes first: a time counts only after it.
+SECTIONS = {
+    "correctness": ("correctness unavailable", "wrong skipped"),
+    "time": ("time_warm", "time_cold time_first_update time_update times"),
+    "speed": ("speed_warm", "speed_cold speed_first_update speed_update speedups"),
     "moving": ("dynamic", "frames"),
-    "stages": ("stages_backend", "stages_device", "stages_baseline", "stages_per_sphere"),
-    "device": ("gpu", "bandwidth", "bandwidth_by_size"),
-    "memory": ("memory",),
-    "ablation": ("ablation_skips", "ablation_steps", "ablation_regret", "regret"),
-    "error": ("error_pareto", "error_depth", "error_map", "costs", "rounding"),
-}
-# Shown when asked for: tables behind pictures, and pictures that vary the one before.
-_FOLDED = {
-    *("wrong", "skipped", "times", "speedups", "frames", "regret", "costs", "rounding"),
-    *("time_cold", "time_first_update", "time_update", "stages_baseline", "stages_per_sphere"),
-    *("speed_cold", "speed_first_update", "speed_update", "bandwidth_by_size"),
+    "stages": ("stages_backend stages_device", "stages_baseline stages_per_sphere"),
+    "device": ("gpu bandwidth", "bandwidth_by_size"),
+    "memory": ("memory", ""),
+    "ablation": ("ablation_skips ablation_steps ablation_regret", "regret"),
+    "error": ("error_pareto error_depth error_map", "costs rounding"),
 }
 
 
-@dataclass(frozen=True)
-class Block:
-    """A picture or a table, with the texts title_NAME and how_NAME."""
+class Block(NamedTuple):
+    """A picture or a table, between the texts title_NAME and how_NAME."""
 
     name: str
     shown: Picture | pd.DataFrame
+    in_sight: bool
 
     @property
-    def folded(self) -> bool:
-        return self.name in _FOLDED
-
-
-@dataclass(frozen=True)
-class Section:
-    name: str
-    notes: list[Said]  # with numbers in them
-    blocks: list[Block]
+    def title(self) -> Said:
+        """Pictures that differ in their run alone are called as it."""
+        key = f"title_{self.name}"
+        return say(key if key in TEXTS else f"run_{self.name.partition('_')[2]}")
 
 
 def owned_names() -> set[str]:
@@ -108,41 +99,30 @@ def render(
         lstrip_blocks=True,
     )
     verdict, tables = check.judge(result), page_tables.all_tables(result, ablation, error)
+    notes = {
+        "correctness": captions.counts(result, verdict),
+        "ablation": captions.ablation(ablation) if ablation else [],
+        "error": captions.error(error) if error else [],
+    }
+    sections = {name: _blocks(name, folder, tables) for name in SECTIONS}
     return environment.get_template("page.html.j2").render(
-        **{"say": say, "texts": TEXTS, "cells": page_tables.cells, "heading": page_tables.heading},
-        context=result.context,
-        headline=verdict.headline,
-        exact=verdict.passes,
-        first=captions.first_scene(result),
+        **{"say": say, "texts": TEXTS, "words": words},
+        **{"cells": page_tables.cells, "heading": page_tables.heading},
+        **{"headline": verdict.headline, "exact": verdict.passes},
+        **{"context": result.context, "gpu": result.gpu, "commit": captions.commit(result)},
         front=images.picture(folder / "front.png"),
         run=say(f"run_{front.run_shown(result)}"),
+        first_scene=captions.first_scene(result),
         best=tables.get("best"),
-        facts=captions.facts(result),
-        sections=_sections(folder, tables, _notes(result, ablation, error)),
+        sections={name: blocks for name, blocks in sections.items() if blocks or notes.get(name)},
+        notes=notes,
     )
 
 
-def _notes(result: Result, ablation: Result | None, error: Study | None) -> dict[str, list[Said]]:
-    """Captions with numbers, by section."""
-    notes = {"correctness": captions.counts(result, check.judge(result))}
-    if ablation:
-        notes["ablation"] = captions.ablation(ablation)
-    if error:
-        notes["error"] = [*captions.origins(error.results), captions.claims(error)]
-    return notes
-
-
-def _sections(
-    folder: Path, tables: dict[str, pd.DataFrame], notes: dict[str, list[Said]]
-) -> list[Section]:
-    """Those with something in them."""
+def _blocks(section: str, folder: Path, tables: dict[str, pd.DataFrame]) -> list[Block]:
     found = []
-    for section, names in _SECTIONS.items():
-        blocks = [
-            Block(name, shown)
-            for name in names
-            if (shown := tables.get(name, images.picture(folder / f"{name}.png"))) is not None
-        ]
-        if blocks or section in notes:
-            found.append(Section(section, notes.get(section, []), blocks))
+    for names, in_sight in zip(SECTIONS[section], (True, False), strict=True):
+        for name in names.split():
+            shown = tables.get(name, images.picture(folder / f"{name}.png"))
+            found += [] if shown is None else [Block(name, shown, in_sight)]
     return found

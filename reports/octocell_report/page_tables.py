@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The page's tables: frames whose columns are named in texts.py, of values or Cells."""
+"""The page's tables: frames whose columns are named in texts.py, and how their values are shown."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable
 from statistics import median
-from typing import Any
+from typing import Any, NamedTuple
 
 import pandas as pd
 
@@ -21,8 +20,7 @@ _KEYS = ["scene", "n", "label"]
 _GPU_RUNS = ("warm", "cold_cache", "graph", "transfers", "cold")  # barest to fullest
 
 
-@dataclass(frozen=True)
-class Cell:
+class Cell(NamedTuple):
     text: str | Said
     value: float | None = None  # what it is sorted by, if not by its text
     small: str = ""  # below the text
@@ -52,27 +50,25 @@ def all_tables(
 def best(result: Result) -> pd.DataFrame:
     """Our planned rows and each library's fastest at the largest size of each scene."""
     times = front.at_largest(front.best(result))
-    below = front.ratios(times).map(lambda ratio: words.ratio(ratio) if ratio > 0 else "")
-    shown = {
-        who: [
-            Cell(words.number(ns), ns, below.loc[place, who] if who in below else "")
-            for place, ns in column.items()
+    for who, by_ours in front.ratios(times).items():
+        pairs = zip(times[who], by_ours, strict=True)
+        times[who] = [
+            Cell(words.number(ns), ns, words.ratio(r)) if r > 0 else ns for ns, r in pairs
         ]
-        for who, column in times.items()
-    }
-    return pd.DataFrame(shown, index=times.index).reset_index()
+    return times.reset_index()
 
 
 def wrong(results: Iterable[Result]) -> pd.DataFrame:
     """What each row loses and invents, variants of the plan too: the worst of its runs."""
     frame = pd.concat([f for result in results for f in (result.frame, result.variants_frame)])
     frame = frame[frame["status"] == "wrong"]
-    lost = frame[["missed", "false", "duplicates"]].fillna(0).sum(axis=1)
-    kind = frame["negative_control"].map({True: "control", False: "wrong"})
+    kinds = zip(frame["negative_control"], frame["excused"], strict=True)
     frame = frame.assign(
-        lost=lost,
+        lost=frame[["missed", "false", "duplicates"]].fillna(0).sum(axis=1),
         share=100 * (frame["missed"] / frame["truth_pairs"]).astype(float),
-        kind=kind.mask(frame["excused"].astype(bool), "excused"),
+        kind=[
+            "control" if control else "excused" if known else "wrong" for control, known in kinds
+        ],
         label=[f"{r.label}, {r.skips}" if r.skips else r.label for r in frame.itertuples()],
     )
     worst = frame.sort_values("lost", ascending=False).drop_duplicates(_KEYS)
@@ -82,106 +78,62 @@ def wrong(results: Iterable[Result]) -> pd.DataFrame:
 
 def skipped(result: Result) -> pd.DataFrame:
     """Rows that were skipped alike share a line."""
-    frame = result.frame[result.frame["status"] == "skipped"]
-    found = [
-        {
-            "label": label,
-            "where": ", ".join(dict.fromkeys(map(words.place, rows[["scene", "n"]].itertuples()))),
-            "runs": listed(say(f"run_{run}") for run in rows["run"].unique()),
-            "why": reason,
-        }
-        for (label, reason), rows in frame.groupby(["label", "reason"], sort=False)
-    ]
-    return pd.DataFrame(found)
+    frame = result.frame[~result.frame["ran"]]
+    frame = frame.assign(where=list(map(words.place, frame.itertuples())))
+    alike = frame.groupby(["label", "reason"], sort=False)
+    found = alike.agg(where=("where", lambda where: ", ".join(where.unique())), runs=("run", _runs))
+    return found.reset_index()[["label", "where", "runs", "reason"]]
+
+
+def _runs(runs: pd.Series[str]) -> Said:
+    return listed(say(f"run_{run}") for run in runs.unique())
 
 
 def unavailable(result: Result) -> pd.DataFrame:
     """Scenes that could not be loaded."""
     absent = [group for group in result.groups if group.unavailable is not None]
-    return pd.DataFrame([{"scene": g.scene, "spec": g.spec, "why": g.unavailable} for g in absent])
+    return pd.DataFrame({"scene": g.scene, "spec": g.spec, "reason": g.unavailable} for g in absent)
 
 
 def times(result: Result) -> pd.DataFrame:
     """All rows at rest: a line per implementation, scene and size."""
-    frame = _in_order(result, result.frame["run"].isin(tables.runs(result)))
-    if frame.empty:
-        return frame
+    runs = tables.runs(result)
+    frame = _in_order(result, result.frame["run"].isin(runs))
+    frame = frame.assign(time=list(map(_time, frame.itertuples())))
     more = ["ns_per_sphere", "candidates_per_pair", "uncertain_pairs"]
     warm = frame[frame["run"] == "warm"].drop_duplicates(_KEYS).set_index(_KEYS)
-    return _by_run(frame, tables.runs(result), _time).join(warm[more]).reset_index()
+    return _by_run(frame, runs).join(warm[more]).reset_index()
+
+
+def gpu(result: Result) -> pd.DataFrame:
+    """A device's runs side by side, each with its ratio to the warm one, and its memory."""
+    frame = _in_order(result, (result.frame["side"] == "device") & result.frame["ran"])
+    warm = frame[(frame["run"] == "warm") & frame["counts"]].set_index(_KEYS)["round_ms"].to_dict()
+
+    def cell(row: Any) -> Cell:
+        rounds = ratios(row.round_ms, warm.get((row.scene, row.n, row.label), ()))
+        shown = row.run != "warm" and row.counts and rounds
+        return _time(row)._replace(small=words.ratio(median(rounds))) if shown else _time(row)
+
+    frame = frame.assign(
+        time=list(map(cell, frame.itertuples())),
+        device_bytes=frame["device_bytes"].astype(float) / frame["n"],
+    )
+    return _by_run(frame, _GPU_RUNS).join(frame.groupby(_KEYS)["device_bytes"].max()).reset_index()
 
 
 def _in_order(result: Result, which: pd.Series[bool]) -> pd.DataFrame:
     """Those rows by scene, size and implementation."""
-    scenes = {scene: place for place, scene in enumerate(result.scenes)}
-    frame = result.frame.assign(rank=result.frame["scene"].map(scenes))
-    return frame[which].sort_values(["rank", "n", "order"], kind="stable")
+    rank = result.frame["scene"].map(result.scenes.index)
+    return result.frame.assign(rank=rank)[which].sort_values(["rank", "n", "order"], kind="stable")
 
 
-def _by_run(frame: pd.DataFrame, runs: Iterable[str], cell: Callable[[Any], Cell]) -> pd.DataFrame:
-    """A column per run, filled by cell() of each row."""
+def _by_run(frame: pd.DataFrame, runs: Iterable[str]) -> pd.DataFrame:
+    """A column of times per run."""
     frame = frame.drop_duplicates([*_KEYS, "run"])
-    shown = pd.Series(
-        map(cell, frame.itertuples()), pd.MultiIndex.from_frame(frame[[*_KEYS, "run"]])
-    )
-    wide = shown.unstack("run").reindex(pd.MultiIndex.from_frame(frame[_KEYS].drop_duplicates()))
+    lines = pd.MultiIndex.from_frame(frame[_KEYS].drop_duplicates())
+    wide = frame.pivot(index=_KEYS, columns="run", values="time").reindex(lines)
     return wide[[run for run in runs if run in wide]].rename(columns="run:{}".format)
-
-
-def _time(row: Any) -> Cell:
-    """A time that is not bare stands below its verdict."""
-    if not row.ran:
-        return Cell(say("skipped"))
-    ms = words.number(row.median_ms)
-    if row.counts:
-        return Cell(ms, row.median_ms, words.spread(row.round_ms))
-    lost = words.losses(row) if row.status == "wrong" else say("kind_control")
-    return Cell(lost, small=f"({ms} ms)", bad=True)
-
-
-def speedups(result: Result) -> pd.DataFrame:
-    """Our planned rows (all of ours, if none is planned) against each library's fastest."""
-    found = tables.speedups(result)
-    planned = found["method"] == PLANNED
-    found = found[planned] if planned.any() else found
-    return _telling(
-        found.assign(
-            against=found["label_ref"],
-            ratio=[Cell(words.ratio(median(r)), median(r), _range(r)) for r in found["ratios"]],
-            rounds=found["ratios"].map(len),
-        )[["scene", "n", "motion", "run", "label", "against", "ratio", "rounds"]]
-    )
-
-
-def _range(values: Sequence[float]) -> str:
-    return f"{words.ratio(min(values))}{words.NONE}{words.ratio(max(values))}"
-
-
-def steady_frames(result: Result) -> pd.DataFrame:
-    """Rows with moving spheres, beside the same frames each searched from nothing."""
-    frame, variants = result.frame, result.variants_frame
-    frame = _in_order(result, (frame["run"] == tables.DYNAMIC) & frame["motion"].notna())
-    first = result.motion_frames.query("frame == 0").set_index("row")["median_ms"]
-    warmups = result.motion_frames.groupby("row")["warmup"].agg(["size", "sum"])
-    again = {
-        (row.label, row.scene, row.n, row.motion): row.round_ms
-        for row in variants[variants["skips"] == REBUILT].itertuples()
-        if row.counts
-    }
-    found = []
-    for row in frame.itertuples():
-        rounds = ratios(row.round_ms, again.get((row.label, row.scene, row.n, row.motion), ()))
-        frames, warmup = warmups.loc[row.Index]
-        found.append(
-            {
-                **{"scene": row.scene, "n": row.n, "motion": row.motion, "label": row.label},
-                "steady": _time(row),
-                "first": first[row.Index] if row.counts else None,
-                "again": median(rounds) if rounds and row.counts else None,
-                **{"frames": frames, "warmup": warmup},
-            }
-        )
-    return _telling(pd.DataFrame(found))
 
 
 def _telling(table: pd.DataFrame) -> pd.DataFrame:
@@ -191,27 +143,51 @@ def _telling(table: pd.DataFrame) -> pd.DataFrame:
     return table.dropna(axis="columns", how="all")
 
 
-def gpu(result: Result) -> pd.DataFrame:
-    """A device's runs side by side, each with its ratio to the warm one, and its memory."""
-    frame = _in_order(result, (result.frame["side"] == "device") & result.frame["ran"])
-    if frame.empty:
-        return frame
-    warm = {
-        _key(row): row.round_ms for row in frame.itertuples() if row.run == "warm" and row.counts
-    }
-
-    def cell(row: Any) -> Cell:
-        rounds = ratios(row.round_ms, warm.get(_key(row), ()))
-        shown = row.run != "warm" and row.counts and rounds
-        return replace(_time(row), small=words.ratio(median(rounds))) if shown else _time(row)
-
-    needs = (frame["device_bytes"] / frame["n"]).groupby([frame[key] for key in _KEYS]).max()
-    wide = _by_run(frame, _GPU_RUNS, cell)
-    return wide.join(needs.astype(float).rename("device_bytes")).reset_index()
+def _time(row: Any) -> Cell:
+    """A time that is not bare stands below its verdict."""
+    if not row.ran:
+        return Cell(say("skipped"))
+    if row.counts:
+        return _over_rounds(row.round_ms, words.number)
+    lost = words.losses(row) if row.status == "wrong" else say("kind_control")
+    return Cell(lost, small=f"({words.number(row.median_ms)} ms)", bad=True)
 
 
-def _key(row: Any) -> tuple[str, int, str]:
-    return row.scene, row.n, row.label
+def _over_rounds(values: tuple[float, ...], show: Callable[[float], str]) -> Cell:
+    middle, low, high = median(values), show(min(values)), show(max(values))
+    return Cell(show(middle), middle, f"{low}{words.NONE}{high}")
+
+
+def speedups(result: Result) -> pd.DataFrame:
+    """Our planned rows (all of ours, if none is planned) against each library's fastest."""
+    found = tables.speedups(result)
+    planned = found["method"] == PLANNED
+    found = found[planned] if planned.any() else found
+    found = found.assign(rounds=found["ratios"].map(len))
+    return _telling(
+        found[["scene", "n", "motion", "run", "label", "label_ref", "ratios", "rounds"]]
+    )
+
+
+def steady_frames(result: Result) -> pd.DataFrame:
+    """Rows with moving spheres, beside the same frames each searched from nothing."""
+    where, variants = ["scene", "n", "motion", "label"], result.variants_frame
+    variants = variants[(variants["skips"] == REBUILT) & variants["counts"]]
+    again = variants.set_index(where)["round_ms"].to_dict()
+    frame = _in_order(result, result.frame["motion"].notna())
+    by_row = result.motion_frames.groupby("row")
+    rounds = [
+        ratios(row.round_ms, again.get((row.scene, row.n, row.motion, row.label), ()))
+        for row in frame.itertuples()
+    ]
+    frame = frame.assign(
+        steady=list(map(_time, frame.itertuples())),
+        first=by_row["median_ms"].first(),
+        again=[median(known) if known else None for known in rounds],
+        **{"frames": by_row.size(), "warmup": by_row["warmup"].sum()},
+    )
+    frame[["first", "again"]] = frame[["first", "again"]].where(frame["counts"])
+    return _telling(frame[[*where, "steady", "first", "again", "frames", "warmup"]])
 
 
 def regret(result: Result) -> pd.DataFrame:
@@ -221,21 +197,20 @@ def regret(result: Result) -> pd.DataFrame:
         say("same_plan", choice=row.choice) if row.same_plan else row.choice
         for row in found.itertuples()
     ]
-    names = {"title": "scene", "planned_ms": "planned", "median_ms": "best"}
-    shown = ["title", "backend", "planned_ms", "median_ms", "regret", "choice", "verdict"]
-    return found[shown].rename(columns=names)
+    return found[["title", "backend", "planned_ms", "median_ms", "regret", "choice", "verdict"]]
 
 
 def costs(study: Study) -> pd.DataFrame:
     """Exact by float32, scene by scene."""
-    return _with_place(study.costs).rename(columns={"deciding_stages": "deciding"})
+    return _with_place(study.costs)
 
 
 def rounding(study: Study) -> pd.DataFrame:
     """Pairs that the input's rounding to float32 changed."""
-    found = _with_place(study.rounding).rename(columns={"true_pairs": "pairs"})
+    found = _with_place(study.rounding)
     if not found.empty:
-        found["changed"] = MILLION * (found["lost"] + found["gained"]) / found["pairs"].clip(1)
+        changed = MILLION * (found["lost"] + found["gained"])
+        found["changed"] = changed / found["true_pairs"].clip(1)
     return found
 
 
@@ -263,6 +238,31 @@ def heading(column: str) -> Said:
     return say(f"column_{column}") if f"column_{column}" in TEXTS else Said(column, column)
 
 
+def cells(table: pd.DataFrame) -> list[list[Cell]]:
+    """What is shown of a frame, line by line."""
+    lines = table.astype(object).itertuples(index=False, name=None)
+    return [list(map(_cell, table.columns, line)) for line in lines]
+
+
+def _cell(column: str, value: Any) -> Cell:
+    match value:
+        case Cell():
+            return value
+        case Said():
+            return Cell(value)
+        case Estimate():
+            low, high = words.times(value.low), words.times(value.high)
+            return Cell(words.times(value.median), value.median, f"{low}{words.NONE}{high}")
+        case tuple():
+            return _over_rounds(value, words.ratio)
+        case str():
+            return Cell(_FORMATS[column](value) if column in _FORMATS else value)
+    if pd.isna(value):
+        return Cell(words.NONE)
+    show = _FORMATS.get(column, words.grouped if isinstance(value, int) else words.number)
+    return Cell(show(value), float(value))
+
+
 def english(table: pd.DataFrame) -> pd.DataFrame:
     """Its texts in one language alone; what stands below a text comes behind it, in brackets."""
     names = [heading(name).en for name in table.columns]
@@ -272,23 +272,3 @@ def english(table: pd.DataFrame) -> pd.DataFrame:
 def _english(cell: Cell) -> str:
     text = cell.text.en if isinstance(cell.text, Said) else cell.text
     return f"{text} ({cell.small})" if cell.small else text
-
-
-def cells(table: pd.DataFrame) -> list[list[Cell]]:
-    """What is shown of a frame, line by line."""
-    lines = table.astype(object).itertuples(index=False, name=None)
-    return [list(map(_cell, table.columns, line)) for line in lines]
-
-
-def _cell(column: str, value: Any) -> Cell:
-    if isinstance(value, Cell):
-        return value
-    if isinstance(value, Estimate):
-        low, high = words.times(value.low), words.times(value.high)
-        return Cell(words.times(value.median), value.median, f"{low}{words.NONE}{high}")
-    if isinstance(value, str | Said):
-        return Cell(_FORMATS[column](value) if column in _FORMATS else value)
-    if value is None or pd.isna(value):
-        return Cell(words.NONE)
-    show = _FORMATS.get(column, words.grouped if isinstance(value, int) else words.number)
-    return Cell(show(value), float(value))

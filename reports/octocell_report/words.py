@@ -18,6 +18,7 @@ MINUS = "\u2212"
 NONE = "\u2013"  # where there is no number
 
 _FAMILIES = {"fcl": "FCL", "bullet": "Bullet"}
+_UNITS = ((10**9, "G"), (10**6, "M"), (10**3, "k"))
 
 
 def grouped(value: float) -> str:
@@ -27,7 +28,7 @@ def grouped(value: float) -> str:
 
 def size(n: int) -> str:
     """A number of spheres: round ones short (1k, 2.5M), others in full."""
-    for unit, suffix in ((10**9, "G"), (10**6, "M"), (10**3, "k")):
+    for unit, suffix in _UNITS:
         if n >= unit and n % (unit // 10) == 0:
             return f"{n / unit:g}{suffix}"
     return grouped(n)
@@ -49,21 +50,19 @@ def count(value: int | None) -> str:
     """A count that must stay short: exact below 10 000, else three digits and a unit."""
     if value is None or pd.isna(value):
         return "?"
-    if value < 10_000:
-        return str(value)
-    for unit, suffix in ((10**9, "G"), (10**6, "M"), (10**3, "k")):
-        if value >= 0.9995 * unit:
-            return f"{value / unit:.3g}{suffix}"
-    return str(value)
+    return str(value) if value < 10_000 else _with_unit(value)
 
 
 def rate(value: float) -> str:
     """Errors per million, short: 2.5, 38, 1.01k, 5.1M."""
     if value < 9.5:
         return f"{value:.2g}"
-    if value < 999.5:
-        return f"{value:.0f}"
-    unit, suffix = (10**6, "M") if value >= 0.9995e6 else (10**3, "k")
+    return f"{value:.0f}" if value < 999.5 else _with_unit(value)
+
+
+def _with_unit(value: float) -> str:
+    """Three digits, and k, M or G."""
+    unit, suffix = next(known for known in _UNITS if value >= 0.9995 * known[0])
     return f"{value / unit:.3g}{suffix}"
 
 
@@ -85,10 +84,6 @@ def times(value: float) -> str:
 def tick(value: float, _: object = None) -> str:
     """An axis label: no trailing zeros, groups of digits apart."""
     return grouped(value) if abs(value) >= 1000 else f"{value:g}"
-
-
-def spread(values: tuple[float, ...] | list[float]) -> str:
-    return f"{number(min(values))}{NONE}{number(max(values))}"
 
 
 def losses(row: Row) -> str:

@@ -151,6 +151,13 @@ def test_pale_and_rare_colours_are_kept_in_files(tmp_path):
     assert counts[0xD5, 0x5E, 0x00] > 100
 
 
+def test_names_are_moved_as_little_as_they_must_be():
+    assert facets.apart([0.1, 0.5, 0.9], 0.1) == pytest.approx([0.1, 0.5, 0.9])
+    assert facets.apart([0.5, 0.5, 0.8], 0.1) == pytest.approx([0.45, 0.55, 0.8])
+    assert facets.apart([0.3, 0.4, 0.4, 0.5], 0.2) == pytest.approx([0.1, 0.3, 0.5, 0.7])
+    assert facets.apart([0.0, 0.0, 1.0], 0.1) == pytest.approx([0.05, 0.15, 0.95])
+
+
 def test_rows_beside_a_higher_facet_are_as_high():
     figure, axes = facets.grid("title", ["few", "many"], [2, 8], columns=2)
     for ax, count in zip(axes, (2, 8), strict=True):

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 import string
+from itertools import chain
 
 import pytest
 
@@ -34,7 +35,7 @@ def test_every_text_is_said_somewhere():
     folder = page.Path(page.__file__).parent
     paths = [*folder.rglob("*.py"), folder / "page.html.j2"]
     sources = "".join(path.read_text() for path in paths if path.name != "texts.py")
-    built = {name for names in page._SECTIONS.values() for name in names} | {"front"}
+    built = {"front", *" ".join(chain(*page.SECTIONS.values())).split()}
     sources += '"comma"' if "listed(" in sources else ""  # its mark, unless another is named
     for key in TEXTS:
         kind, _, name = key.partition("_")
@@ -44,10 +45,12 @@ def test_every_text_is_said_somewhere():
 
 
 def test_every_block_has_its_texts():
-    for section, names in page._SECTIONS.items():
+    for section, names in page.SECTIONS.items():
         assert f"section_{section}" in TEXTS
-        for name in names:
-            assert {f"title_{name}", f"how_{name}"} <= set(TEXTS)
+        for name in " ".join(names).split():
+            assert f"how_{name}" in TEXTS
+            title = page.Block(name, None, in_sight=True).title
+            assert title.en and HAN.search(title.zh), name
 
 
 def test_alike_is_written_once_and_unlike_twice():

@@ -13,12 +13,10 @@ from collections.abc import Callable
 from typing import Any
 
 import pandas as pd
-from adjustText import adjust_text
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patheffects import withStroke
-from matplotlib.text import Text
 
 from octocell_report import style, words
 from octocell_report.error import MILLION, Study
@@ -31,11 +29,8 @@ FAR = 10.0  # and what is wider than this; radii of 0 have any gap
 BOLD, PALE = 9.5, 5.0  # sizes of marks
 _LINES = 11  # of text that a panel has room for
 _KINDS = ("missed_per_million", "false_per_million")
-_TIE_BREAK = 1e-3  # names that start at the very same height would move alike
-_UP_OR_DOWN: dict[str, Any] = {
-    **{"only_move": "y", "avoid_self": False, "explode_radius": 0, "iter_lim": 500},
-    "prevent_crossings": False,  # it would swap names
-}
+_NAME = 0.07  # of a panel's height, that a name takes
+_Names = dict[str, tuple[float, float]]  # of tests and libraries: where their marks end
 
 
 def draw_rates(study: Study) -> Figure | None:
@@ -87,7 +82,7 @@ def _draw(
         sharex=True,
         sharey="row",
     )
-    names: dict[Axes, list[Text]] = {}
+    names: dict[Axes, _Names] = {}
     for at, name in enumerate(classes):
         up, strip, down = axes[at :: len(classes)]
         here = study.points[study.points["scene_class"] == name]
@@ -97,10 +92,8 @@ def _draw(
             names[ax] = _panel(ax, here.assign(error=error), looks)
     _headings(study, axes[: len(classes)])
     _scales(errors, list(names)[::2], list(names)[1::2], labels, tick)
-    figure.draw_without_rendering()  # names are moved in the final layout
-    figure.set_layout_engine("none")
-    for ax, texts in names.items():
-        adjust_text(texts, ax=ax, **_UP_OR_DOWN)
+    for ax, ends in names.items():
+        _write(ax, ends)
     return figure
 
 
@@ -135,8 +128,9 @@ def _key(points: pd.DataFrame, looks: dict[str, Look]) -> list[Line2D]:
     return [look.entry for look in (*shapes, *tests)]
 
 
-def _panel(ax: Axes, points: pd.DataFrame, looks: dict[str, Look]) -> list[Text]:
-    """The marks of one class; returns the names of its tests, which are yet to be moved apart."""
+def _panel(ax: Axes, points: pd.DataFrame, looks: dict[str, Look]) -> _Names:
+    """The marks of one class. Names belong right of all marks of ours, left of those of libraries,
+    which are slow."""
     worst: dict[str, list[tuple[float, float]]] = {}
     for series, here in points.groupby("series", sort=False):
         look, met = looks[series], here.dropna(subset="error")
@@ -151,19 +145,23 @@ def _panel(ax: Axes, points: pd.DataFrame, looks: dict[str, Look]) -> list[Text]
         ax.plot(*zip(*marks, strict=True), color=colour, linewidth=1.3, alpha=0.5)
     ours = [marks[-1][0] for name, marks in worst.items() if name in MEANINGS]
     theirs = [marks[0][0] for name, marks in worst.items() if name not in MEANINGS]
-    return [
-        _name(ax, name, max(ours) if name in MEANINGS else min(theirs), marks[-1][1], index)
-        for index, (name, marks) in enumerate(worst.items())
-    ]
+    return {
+        name: (max(ours) if name in MEANINGS else min(theirs), marks[-1][1])
+        for name, marks in worst.items()
+    }
 
 
-def _name(ax: Axes, name: str, x: float, y: float, index: int) -> Text:
-    """Right of all marks of ours; left of those of libraries, which are slow."""
-    text, side = (f"  {name}", "left") if name in MEANINGS else (f"{name}  ", "right")
-    look: dict[str, Any] = {"weight": "bold", "color": style.dark(style.predicate_colour(name))}
-    look["path_effects"] = [withStroke(linewidth=3, foreground="white")]
-    height = y * (1 + _TIE_BREAK * index)
-    return ax.text(x, height, text, ha=side, va="center", in_layout=False, **look)
+def _write(ax: Axes, names: _Names) -> None:
+    """Names at their heights, or as near to them as the others let them be."""
+    to_share = ax.transData + ax.transAxes.inverted()
+    heights = {name: to_share.transform(end)[1] for name, end in names.items()}
+    order = sorted(heights, key=heights.__getitem__)
+    for name, height in zip(order, facets.apart(sorted(heights.values()), _NAME), strict=True):
+        text, side = (f"  {name}", "left") if name in MEANINGS else (f"{name}  ", "right")
+        look: dict[str, Any] = {"weight": "bold", "color": style.dark(style.predicate_colour(name))}
+        look |= {"path_effects": [withStroke(linewidth=3, foreground="white")], "in_layout": False}
+        at = ax.get_xaxis_transform()
+        ax.text(names[name][0], height, text, transform=at, ha=side, va="center", **look)
 
 
 def _mark(ax: Axes, look: Look, xs: Any, ys: Any, bold: bool) -> None:

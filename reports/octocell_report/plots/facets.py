@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from statistics import median
+from statistics import mean, median
 from typing import Any
 
 import matplotlib.pyplot as plt
@@ -92,6 +92,19 @@ def beside(ax: Axes, x: float, y: float, text: str, **look: Any) -> None:
     known: dict[str, Any] = {"xytext": (5, 0), "textcoords": "offset points", "va": "center"}
     known |= {"fontsize": style.SMALL, "linespacing": 1.1}
     ax.annotate(text, (x, y), **known | look)
+
+
+def apart(heights: Sequence[float], least: float) -> list[float]:
+    """Shares of an axis, lowest first, moved as little as they must be to be so far apart
+    (isotonic regression)."""
+    blocks: list[list[float]] = []  # neighbours that touch move together
+    for place, height in enumerate(heights):
+        blocks.append([height - least * place])
+        while len(blocks) > 1 and mean(blocks[-2]) > mean(blocks[-1]):
+            blocks[-2:] = [blocks[-2] + blocks[-1]]
+    moved = [mean(block) for block in blocks for _ in block]
+    low, high = least / 2, 1 - least * (len(moved) - 0.5)  # all of them stay within the axis
+    return [min(max(at, low), high) + least * place for place, at in enumerate(moved)]
 
 
 def mark_wrong(bars: Iterable[Rectangle], exact: Iterable[bool]) -> None:
