@@ -41,7 +41,6 @@ class Study:
         libraries. The columns of Result.frame, where predicate is None for libraries alone, and
             series lane   backend with predicate; what shares a line where nothing is wrong
             true_pairs    of the scene; 0 if it has none
-            errors        pairs missed, pairs that are none, and pairs given again
             missed_per_million false_per_million errors_per_million   of the true pairs (as if a
                           scene without any had one); pairs given again are false
             claims_exact  it should be without an error
@@ -159,18 +158,14 @@ def _measured(rows: pd.DataFrame) -> pd.DataFrame:
     predicate = rows["predicate"].fillna(EXACT).where(rows["kind"] == "backend", None)
     library = rows["family"].map(words.family_title)
     true_pairs = rows["truth_pairs"].fillna(0).astype(int)
-    counts = {
-        "missed": rows["missed"].astype(int),
-        "false": rows[["false", "duplicates"]].fillna(0).sum(axis=1).astype(int),
-    }
-    counts["errors"] = counts["missed"] + counts["false"]
+    false = rows["errors"] - rows["missed"].astype(int)
+    counts = {"missed": rows["missed"].astype(int), "false": false, "errors": rows["errors"]}
     rates = {f"{of}_per_million": MILLION * n / true_pairs.clip(1) for of, n in counts.items()}
     return rows.assign(
         predicate=predicate,
         series=rows["backend"].str.cat(" " + predicate, na_rep=""),
         lane=predicate.fillna(library),
         true_pairs=true_pairs,
-        errors=counts["errors"],
         claims_exact=~rows["negative_control"] & rows["known_issues"].fillna("").eq(""),
         **rates,
     )

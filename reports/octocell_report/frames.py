@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from operator import attrgetter
 from pathlib import Path
 from statistics import median
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -93,17 +94,16 @@ def slopes(result: Result) -> pd.DataFrame:
 def correctness(result: Result) -> pd.DataFrame:
     """What happened in the worst run of each implementation (lines) at each place (columns)."""
     rows = result.frame
-    lost = rows[["missed", "false", "duplicates"]].fillna(0).sum(axis=1)
-    rank = (lost + 1).where(rows["status"] == "wrong", rows["ran"] - 1)
+    rank = (rows["errors"] + 1).where(rows["status"] == "wrong", rows["ran"] - 1)
     worst = rows.assign(rank=rank).sort_values("rank", ascending=False, kind="stable")
     worst = worst.drop_duplicates(["order", "group"])
 
-    def text(row: pd.Series) -> str:
-        if row["status"] == "wrong":
+    def text(row: Any) -> str:
+        if row.status == "wrong":
             return words.losses(row)
-        return "exact" if row["ran"] else words.short_reason(row["reason"], 24)
+        return "exact" if row.ran else words.short_reason(row.reason, 24)
 
-    worst = worst.assign(text=[text(row) for _, row in worst.iterrows()])
+    worst = worst.assign(text=list(map(text, worst.itertuples())))
     table = worst.pivot(index=["order", "label"], columns="group", values="text").fillna("")
     names = {
         f"{group.scene} {group.n}": table.get(index, "")

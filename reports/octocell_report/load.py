@@ -8,6 +8,7 @@ order, and its fields as columns, except that `predicate` is None where it is `e
     side family     backend (on the host), device or baseline; the library of a baseline (fcl)
     ran             False: skipped, so there are no numbers
     counts          exact and no negative control, so its time may stand alone
+    errors          pairs missed, false and given twice together; 0 where that is not known
     excused         wrong, but only by its library's known issues
     motion          how spheres move; None at rest
     round_ms        tuple, a time per round: the steady frame of moving scenes, else total_ms
@@ -63,20 +64,23 @@ class Result:
 
     @cached_property
     def stages(self) -> pd.DataFrame:
-        """A line per row (its index in `frame`) and stage, in the order in which stages run.
+        """A line per row (its index in `frame`) and stage, in the order of the JSON.
 
-        A stage whose time another one holds has `fused_into`, and no time of its own.
+        A stage whose time another one holds has `fused_into`, and no time. In rows of several
+        frames a stage may have both lines.
         """
-        lines: list[tuple[Any, ...]] = []
-        for row in self.frame.itertuples():
-            least = row.stage_bytes.get
-            lines += [
-                *((row.Index, s, ms, median(ms), least(s), None) for s, ms in row.stage_ms.items()),
-                *((row.Index, s, (), np.nan, least(s), host) for s, host in row.fused.items()),
-            ]
-        columns = ["row", "stage", "round_ms", "median_ms", "least_bytes", "fused_into"]
-        types = {"median_ms": "float64", "least_bytes": "Int64"}
-        return pd.DataFrame(lines, columns=columns, dtype=object).astype(types).infer_objects()
+        lines = [
+            (row.Index, stage, ms, row.stage_bytes.get(stage), host)
+            for row in self.frame.itertuples()
+            for stage, ms, host in (
+                *((stage, ms, None) for stage, ms in row.stage_ms.items() if ms),
+                *((stage, (), host) for stage, host in row.fused.items()),
+            )
+        ]
+        columns = ["row", "stage", "round_ms", "least_bytes", "fused_into"]
+        found = pd.DataFrame(lines, columns=columns, dtype=object).astype({"least_bytes": "Int64"})
+        medians = [median(ms) if ms else np.nan for ms in found["round_ms"]]
+        return found.assign(median_ms=medians).infer_objects()
 
     @cached_property
     def motion_frames(self) -> pd.DataFrame:
@@ -112,13 +116,13 @@ def parse(document: Any) -> Result:
     _check_together(frame)
     absent = _absent(frame)
     frame = frame[~frame["backend"].isin(absent)]
-    default, variants = frame[frame["skips"].isna()], frame[frame["skips"].notna()]
-    known = _implementations(default)
+    frame = _with_implementations(frame, _implementations(frame[frame["skips"].isna()]))
+    users = frame["skips"].isna()
     return Result(
         context=document["context"],
         groups=found.groups,
-        frame=_with_implementations(default, known),
-        variants_frame=_with_implementations(variants, known),
+        frame=frame[users].reset_index(drop=True),
+        variants_frame=frame[~users].reset_index(drop=True),
         absent=absent,
         gpu=found.context.gpu,
     )
@@ -129,20 +133,18 @@ def _rows(found: Document) -> pd.DataFrame:
 
     def line(row: Row) -> dict[str, Any]:
         times, ran = row.frames.steady if row.frames else row.total_ms, row.status != "skipped"
+        spans = {f"{of.__name__}_ms": of(times) for of in (median, min, max)} if ran else {}
         only_missed = row.false == 0 and row.duplicates == 0
-        return asdict(row) | {
+        known = {
             "predicate": row.predicate if row.predicate != EXACT else None,
             "family": row.backend.split("_", 1)[0] if row.kind == "baseline" else row.backend,
             "motion": row.frames.scene if row.frames else None,
-            **{"ran": ran, "counts": row.status == "ok" and not row.negative_control},
+            "ran": ran,
+            "counts": row.status == "ok" and not row.negative_control,
             "excused": bool(row.status == "wrong" and row.known_issues and only_missed),
-            **{
-                "round_ms": times,
-                "rounds": len(times),
-                "median_ms": median(times) if ran else None,
-            },
-            **{"min_ms": min(times, default=None), "max_ms": max(times, default=None)},
+            **{"round_ms": times, "rounds": len(times)},
         }
+        return asdict(row) | known | spans
 
     columns = dict.fromkeys([*Row.__struct_fields__, "family", "motion", "round_ms", *_TYPES])
     rows = pd.DataFrame(map(line, found.rows), columns=[*columns], dtype=object).astype(_TYPES)
@@ -160,6 +162,7 @@ def _rows(found: Document) -> pd.DataFrame:
     truth = frame["truth_pairs"].where(frame["truth_pairs"] > 0).astype("float64")
     beyond = (frame["peak_bytes"] - frame["output_bytes"].fillna(0)).astype("float64") / n
     return frame.assign(
+        errors=frame[["missed", "false", "duplicates"]].fillna(0).sum(axis=1).astype("int64"),
         ns_per_sphere=frame["median_ms"] * 1e6 / n,
         beyond_bytes=beyond.where(frame["device_bytes"].isna()),
         candidates_per_pair=frame["candidates"].astype("float64") / truth,
@@ -169,13 +172,15 @@ def _rows(found: Document) -> pd.DataFrame:
 def _check_together(frame: pd.DataFrame) -> None:
     """What no row shows alone: names met once, groups that exist, digests that fit the truth."""
     ok, truth = frame["status"] == "ok", frame["truth_pairs"]
-    losses = frame[["missed", "false", "duplicates"]].fillna(0).sum(axis=1) > 0
     differs = (frame["pairs"] != truth) | (frame["checksum"] != frame["truth_checksum"])
     for bad, why in (
         (frame["name"].duplicated(), "an earlier row has the same name"),
         (frame["group"].isna(), "no group has its scene and n"),
         (ok & truth.isna(), "says ok, but its group has no truth to be compared with"),
-        (ok & (losses | differs), "says ok, but its pairs differ from its group's truth"),
+        (
+            ok & (differs | (frame["errors"] > 0)),
+            "says ok, but its pairs differ from its group's truth",
+        ),
     ):
         for index, name in frame.loc[bad, "name"].items():
             raise ReportError(f"rows[{index}] ({name}): {why}")
@@ -201,12 +206,9 @@ def _implementations(frame: pd.DataFrame) -> pd.DataFrame:
     def label(row: Any) -> str:
         """As short as it can be while no two are the same."""
         both = row.rule and row.method and row.methods > 1
-        words = [row.backend, f"{row.method}/{row.rule}" if both else row.rule or row.method]
-        words += [
-            row.predicate,
-            f"({row.threads} threads)" if threaded and row.threads != 1 else "",
-        ]
-        return " ".join(filter(None, words))
+        how = f"{row.method}/{row.rule}" if both else row.rule or row.method
+        threads = f"({row.threads} threads)" if threaded and row.threads != 1 else None
+        return " ".join(filter(None, (row.backend, how, row.predicate, threads)))
 
     on_device = found["backend"].isin(frame.loc[frame["device_bytes"].notna(), "backend"])
     return found[_IMPLEMENTATION].assign(

@@ -64,14 +64,13 @@ def wrong(results: Iterable[Result]) -> pd.DataFrame:
     frame = frame[frame["status"] == "wrong"]
     kinds = zip(frame["negative_control"], frame["excused"], strict=True)
     frame = frame.assign(
-        lost=frame[["missed", "false", "duplicates"]].fillna(0).sum(axis=1),
         share=100 * (frame["missed"] / frame["truth_pairs"]).astype(float),
         kind=[
             "control" if control else "excused" if known else "wrong" for control, known in kinds
         ],
         label=[f"{r.label}, {r.skips}" if r.skips else r.label for r in frame.itertuples()],
     )
-    worst = frame.sort_values("lost", ascending=False).drop_duplicates(_KEYS)
+    worst = frame.sort_values("errors", ascending=False).drop_duplicates(_KEYS)
     found = worst.sort_index().sort_values("order", kind="stable")
     return found[["label", "kind", "scene", "n", "missed", "share", "false", "duplicates"]]
 

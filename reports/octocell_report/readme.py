@@ -50,28 +50,18 @@ BLOCKS: dict[str, tuple[Callable[[Path], Any], Callable[[Any], str | Said]]] = {
     "gpu_stages": (load, readme_gpu.stages),
     "gpu_sorts": (sort.load, readme_gpu.sorts),
     "front_libraries": (load, readme_bench.front),
-    "front_libraries_zh": (load, readme_bench.front),
     "front_gpu": (load, readme_gpu.front),
-    "front_gpu_zh": (load, readme_gpu.front),
     "front_wrong": (verification.read, readme_guarantee.front),
-    "front_wrong_zh": (verification.read, readme_guarantee.front),
     "import_readers": (readme_import.read_requirements, readme_import.readers),
     "import_speed": (readme_import.read_speed, readme_import.speed),
     "import_comparison": (readme_import.read_comparison, readme_import.comparison),
     "guarantee": (verification.read, readme_guarantee.guarantee),
-    "guarantee_near_tangent": (
-        verification.read,
-        partial(readme_guarantee.details, kind="near_tangent"),
-    ),
-    "guarantee_stress": (verification.read, partial(readme_guarantee.details, kind="stress")),
-    "guarantee_compilers": (verification.read, partial(readme_guarantee.details, kind="compilers")),
-    "guarantee_mutants": (verification.read, partial(readme_guarantee.details, kind="mutants")),
-    "guarantee_fuzz": (verification.read, partial(readme_guarantee.details, kind="fuzz")),
-    "guarantee_sanitizers": (
-        verification.read,
-        partial(readme_guarantee.details, kind="sanitizers"),
-    ),
+    **{
+        f"guarantee_{kind}": (verification.read, partial(readme_guarantee.details, kind=kind))
+        for kind in verification.COLUMNS
+    },
 }
+BLOCKS |= {f"{name}_zh": BLOCKS[name] for name in BLOCKS if name.startswith("front_")}
 
 
 def rewrite(path: Path, check_only: bool) -> list[str]:

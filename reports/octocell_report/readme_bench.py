@@ -96,34 +96,30 @@ def machine(result: Result) -> str:
 
 def correctness(result: Result) -> str:
     """Implementations that are wrong somewhere, by scene; all others in one line."""
-    frame, titles = result.frame, list(words.titles(result).values())
-    wrong = set(frame[frame["status"] == "wrong"]["order"])
-    exact = set(frame[frame["status"] == "ok"]["order"]) - wrong
-    told = [code(title) for order, title in enumerate(titles) if order in exact]
-    absent = [code(t) for order, t in enumerate(titles) if order not in exact | wrong]
-    said = [
-        f"Exact wherever they ran, of {len(result.groups)} scenes and sizes: {', '.join(told)}."
+    titles, met = words.titles(result), result.frame.groupby("label")["status"].agg(set)
+    wrong = [label for label in titles if "wrong" in met[label]]
+    exact = [
+        code(titles[label]) for label in titles if "wrong" not in met[label] and "ok" in met[label]
     ]
-    said += [f"Not run here: {', '.join(absent)}."] if absent else []
-    lines = [
-        [titles[order], *(_right(result, order, scene) for scene in result.scenes)]
-        for order in sorted(wrong)
-    ]
+    absent = [code(titles[label]) for label in titles if met[label] == {"skipped"}]
+    said = f"Exact wherever they ran, of {len(result.groups)} scenes and sizes: {', '.join(exact)}."
+    said += f" Not run here: {', '.join(absent)}." if absent else ""
+    if not wrong:
+        return said
+    lines = [[titles[of], *(_right(result, of, scene) for scene in result.scenes)] for of in wrong]
     note = (
         f"{words.MINUS} pairs missed, + pairs that do not overlap, × pairs given twice; at the "
         "largest size that is wrong."
     )
-    below = [table(pd.DataFrame(lines, columns=["wrong", *result.scenes]), note)] if lines else []
-    return "\n\n".join([" ".join(said), *below])
+    return f"{said}\n\n{table(pd.DataFrame(lines, columns=['wrong', *result.scenes]), note)}"
 
 
-def _right(result: Result, order: int, scene: str) -> str:
+def _right(result: Result, label: str, scene: str) -> str:
     """What one implementation gets wrong on a scene, or at how many sizes it is exact."""
-    rows = chosen(result.frame, order=order, scene=scene)
+    rows = chosen(result.frame, label=label, scene=scene)
     wrong = rows[rows["status"] == "wrong"]
     if len(wrong):
-        losses = wrong[["missed", "false", "duplicates"]].sum(axis=1)
-        worst = wrong.assign(losses=losses).sort_values(["n", "losses"]).iloc[-1]
+        worst = wrong.sort_values(["n", "errors"]).iloc[-1]
         return f"{bold(words.losses(worst))} at {words.size(worst['n'])}"
     exact = rows[rows["status"] == "ok"]["n"].nunique()
     sizes = sum(group.scene == scene for group in result.groups)
@@ -138,24 +134,17 @@ def speed(result: Result) -> str:
     if place is None:
         raise ReportError(f"block 'speed' needs the scene {SCENE}, which the result does not have")
     here = chosen(result.frame, scene=SCENE, n=place.n)
-    here = here[here["run"].isin(RUNS)]
+    exact = here[here["counts"] & (here["kind"] == "baseline")]
     fastest = {
-        f"fastest {family_title(family)}": {
-            run: row
-            for run in RUNS
-            if (row := best(here, run=run, family=family, kind="baseline", counts=True))
-        }
-        for family in tables.families(result)
+        f"fastest {family_title(family)}": {run: best(rows, run=run) for run in RUNS}
+        for family, rows in exact[exact["run"].isin(RUNS)].groupby("family", sort=False)
     }
-    fastest = {title: rows for title, rows in fastest.items() if rows}
+    known = {(row.label, row.run): row for row in here.itertuples() if row.run in RUNS}
     lines = []
-    for label in here["label"].unique():
-        rows = {row.run: row for row in chosen(here, label=label).itertuples()}
-        ratios = [
-            " / ".join(faster(rows.get(run), of.get(run)) for run in RUNS)
-            for of in fastest.values()
-        ]
-        lines.append([label, *ratios, *(shown(rows.get(run)) for run in RUNS)])
+    for label in dict.fromkeys(label for label, _ in known):
+        own = {run: known.get((label, run)) for run in RUNS}
+        ratios = [" / ".join(faster(own[run], of[run]) for run in RUNS) for of in fastest.values()]
+        lines.append([label, *ratios, *map(shown, own.values())])
     note = (
         f"Scene {SCENE}, {grouped(place.n)} spheres. Ratios, cold / warm: the baseline's time "
         "divided by the row's, median over interleaved rounds; above 1 the row is faster."
@@ -166,9 +155,9 @@ def speed(result: Result) -> str:
     return table(pd.DataFrame(lines, columns=header), " ".join([note, *named]))
 
 
-def _named(title: str, rows: dict[str, Row]) -> str:
+def _named(title: str, rows: dict[str, Row | None]) -> str:
     """'The fastest FCL is `...`.', once if it is the same in all runs."""
-    met = {run: code(row.backend) for run, row in rows.items()}
+    met = {run: code(row.backend) for run, row in rows.items() if row}
     if len(set(met.values())) > 1:
         met = {run: f"{name} ({run})" for run, name in met.items()}
     return f"The {title} is {', '.join(dict.fromkeys(met.values()))}."
@@ -235,23 +224,22 @@ def kinds(result: Result, run: str) -> str:
     """Every scene beside the first, at the size that most scenes have."""
     rows = chosen(result.frame, run=run, method=PLANNED, ran=True, threads=1)
     rows = rows[rows["predicate"].isna()]
-    known = {(row.scene, row.n, row.backend): row for row in rows.itertuples()}
-    met = {key[:2] for key in known}
-    groups = [group for group in result.groups if group.place in met]
-    size = mode(group.n for group in groups) if groups else 0
-    first = next((group for group in groups if group.n == size), None)
+    known = {(row.group, row.backend): row for row in rows.itertuples()}
+    groups = {at: group for at, group in enumerate(result.groups) if at in set(rows["group"])}
+    size = mode(group.n for group in groups.values()) if groups else 0
+    first = next((at for at, group in groups.items() if group.n == size), None)
     if first is None or len(groups) < 2:
         raise ReportError(f"block 'kinds_{run}' needs {run} rows of a plan on two scenes")
-    backends = [name for name in rows["backend"].unique()
-                if 2 * sum(name == key[2] for key in known) > len(groups)]  # fmt: skip
-    reference = words.place(first.place)
+    met = pd.Series([backend for _, backend in known]).value_counts()
+    backends = [name for name in rows["backend"].unique() if 2 * met[name] > len(groups)]
     lines = []
-    for group in groups:
+    for at, group in groups.items():
         cells = [_title(group), grouped(group.n), grouped(group.truth_pairs or 0)]
         for backend in backends:
-            row, of = (_per_output(known.get((*g.place, backend)), g) for g in (group, first))
-            cells += [shown(row), "1" if group is first else longer(row, of)]
+            row, of = (_per_output(known.get((g, backend)), groups[g]) for g in (at, first))
+            cells += [shown(row), "1" if at == first else longer(row, of)]
         lines.append(cells)
+    reference = words.place(groups[first].place)
     note = (
         f"{run.capitalize()}, the planned default, one thread on a CPU; median of the rounds. "
         f"Of {reference}: time per sphere and true pair, divided by the same there. {_INTERVAL}"

@@ -15,8 +15,7 @@ from octocell_report.predicates import PREDICATES, SCENE_CLASSES
 DEVICE_RUNS = ("cold_cache", "graph", "transfers")  # of backends on a device, beside cold and warm
 RUNS = ("cold", "warm", *DEVICE_RUNS, "first_update", "update", "dynamic")
 STATUSES = ("ok", "wrong", "skipped")
-KINDS = ("backend", "baseline")
-# In the order in which they run; the JSON may hold them in any.
+# In the order in which they run.
 STAGES = (
     *("bounds", "cell_ids", "sort", "cell_index", "pair_tests", "resolve"),
     *("build", "update", "query"),
@@ -134,7 +133,7 @@ class Row(Struct):
 
     name: Name
     backend: Name
-    kind: Annotated[str, choice(*KINDS)]
+    kind: Annotated[str, choice("backend", "baseline")]
     method: Name | None
     rule: Name | None
     scene: Name
@@ -179,12 +178,6 @@ class Row(Struct):
             raise ValueError("'predicate' is set, but it is a baseline")
         if self.skips is not None and self.method != PLANNED:
             raise ValueError(f"'skips' is set, but its method is not {PLANNED}")
-        known = sorted(self.stage_ms.items(), key=lambda item: _rank(item[0]))
-        self.stage_ms = {stage: ms for stage, ms in known if ms}
-
-
-def _rank(stage: str) -> int:
-    return STAGES.index(stage) if stage in STAGES else len(STAGES)
 
 
 class Document(Struct):

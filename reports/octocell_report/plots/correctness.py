@@ -49,8 +49,7 @@ def _cell(ax: Axes, x: int, y: int, rows: pd.DataFrame) -> None:
         ran = rows["ran"].any()
         facets.cell(ax, x, y, "exact" if ran else "", style.EXACT_FILL if ran else _NOT_RUN_FILL)
         return
-    lost = wrong[["missed", "false", "duplicates"]].fillna(0).sum(axis=1)
-    worst = wrong.loc[lost.idxmax()]
+    worst = wrong.loc[wrong["errors"].idxmax()]
     fill = _CONTROL_FILL if worst["negative_control"] else style.VERMILLION
     text = f"{words.losses(worst)}\n{words.size(worst['n'])}"
     facets.cell(ax, x, y, text, fill, fontsize=8.5)

@@ -66,7 +66,7 @@ def _power_law(rows: pd.DataFrame) -> Any:
 
 def _hollow(ax: Axes, rows: pd.DataFrame, look: Look) -> None:
     """Marks without a line for what is not exact; the worst of it stands in the legend."""
-    worst = rows.loc[rows[["missed", "false"]].fillna(0).sum(axis=1).idxmax()]
+    worst = rows.loc[rows["errors"].idxmax()]
     told = words.losses(worst) if worst.status == "wrong" else "exact here"
     several = "up to " if len(rows) > 1 and worst.status == "wrong" else ""
     shape = look.dot | {"markerfacecolor": "white", "linestyle": "none", "markersize": 8}
