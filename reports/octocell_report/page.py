@@ -25,7 +25,7 @@ from octocell_report.error import Study
 from octocell_report.files import staged_folder
 from octocell_report.images import Picture
 from octocell_report.load import Result
-from octocell_report.texts import TEXTS, Said, say
+from octocell_report.texts import TEXTS, how, say, title
 
 # Pictures and tables of each section: those in sight, and those that unfold when asked for.
 # Correctness comes first: a time counts only after it.
@@ -43,17 +43,9 @@ SECTIONS = {
 
 
 class Block(NamedTuple):
-    """A picture or a table, between the texts title_NAME and how_NAME."""
-
-    name: str
+    name: str  # of its title, and of how to read it, in texts.py
     shown: Picture | pd.DataFrame
     in_sight: bool
-
-    @property
-    def title(self) -> Said:
-        """Pictures that differ in their run alone are called as it."""
-        key = f"title_{self.name}"
-        return say(key if key in TEXTS else f"run_{self.name.partition('_')[2]}")
 
 
 def owned_names() -> set[str]:
@@ -106,7 +98,7 @@ def render(
     }
     sections = {name: _blocks(name, folder, tables) for name in SECTIONS}
     return environment.get_template("page.html.j2").render(
-        **{"say": say, "texts": TEXTS, "words": words},
+        **{"say": say, "title": title, "how": how, "texts": TEXTS, "words": words},
         **{"cells": page_tables.cells, "heading": page_tables.heading},
         **{"headline": verdict.headline, "exact": verdict.passes},
         **{"context": result.context, "gpu": result.gpu, "commit": captions.commit(result)},

@@ -12,7 +12,7 @@ import pandas as pd
 from octocell_report import ablation, front, tables, words
 from octocell_report.error import MILLION, Study
 from octocell_report.load import Result
-from octocell_report.plan import PLANNED, REBUILT
+from octocell_report.plan import PLANNED
 from octocell_report.spread import Estimate, ratios
 from octocell_report.texts import TEXTS, Said, listed, say
 
@@ -170,23 +170,23 @@ def speedups(result: Result) -> pd.DataFrame:
 
 def steady_frames(result: Result) -> pd.DataFrame:
     """Rows with moving spheres, beside the same frames each searched from nothing."""
-    where, variants = ["scene", "n", "motion", "label"], result.variants_frame
-    variants = variants[(variants["skips"] == REBUILT) & variants["counts"]]
-    again = variants.set_index(where)["round_ms"].to_dict()
+    again = tables.searched_again(result)
     frame = _in_order(result, result.frame["motion"].notna())
     by_row = result.motion_frames.groupby("row")
-    rounds = [
-        ratios(row.round_ms, again.get((row.scene, row.n, row.motion, row.label), ()))
-        for row in frame.itertuples()
-    ]
+
+    def by_again(row: Any) -> float | None:
+        rounds = ratios(row.round_ms, again[row.Index].round_ms) if row.Index in again else ()
+        return median(rounds) if rounds else None
+
     frame = frame.assign(
         steady=list(map(_time, frame.itertuples())),
         first=by_row["median_ms"].first(),
-        again=[median(known) if known else None for known in rounds],
+        again=list(map(by_again, frame.itertuples())),
         **{"frames": by_row.size(), "warmup": by_row["warmup"].sum()},
     )
     frame[["first", "again"]] = frame[["first", "again"]].where(frame["counts"])
-    return _telling(frame[[*where, "steady", "first", "again", "frames", "warmup"]])
+    shown = ["scene", "n", "motion", "label", "steady", "first", "again", "frames", "warmup"]
+    return _telling(frame[shown])
 
 
 def regret(result: Result) -> pd.DataFrame:

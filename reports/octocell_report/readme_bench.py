@@ -269,24 +269,20 @@ def _digits(value: str) -> str:
     return grouped(int(value)) if value.isdecimal() and len(value) < 20 else value
 
 
-def _moving_rows(frame: pd.DataFrame) -> dict[tuple[str, str, int], Row]:
-    rows = chosen(frame, run="dynamic", counts=True)
-    return {(row.label, row.scene, row.n): row for row in rows.itertuples()}
-
-
 def frames(result: Result) -> str:
     """A frame that may take over from the last, by the same frame searched again."""
-    again = result.variants_frame.query("skips == @REBUILT")
-    rows, variants = map(_moving_rows, (result.frame, again))
-    told = {key: row for key, row in rows.items() if key in variants}
+    again = tables.searched_again(result)
+    moving = chosen(result.frame[result.frame["motion"].notna()], counts=True)
+    rows = {(row.label, row.scene, row.n): row for row in moving.itertuples()}
+    told = [row for row in rows.values() if row.Index in again]
     if not told:
         raise ReportError(f"block 'frames' needs moving scenes with the variant '{REBUILT}'")
     lines = []
-    for key, row in told.items():
+    for row in told:
         silent = rows.get((row.label, row.scene + WITHOUT_FLAGS, row.n))
-        times = [shown(row), longer(row, variants[key]), longer(row, silent)]
+        times = [shown(row), longer(row, again[row.Index]), longer(row, silent)]
         lines.append([row.scene, row.backend, *times])
-    first = next(iter(told.values()))
+    first = told[0]
     of_frames = result.motion_frames.query("row == @first.Index")
     count = f"{len(of_frames)} frames, the first {of_frames['warmup'].sum()} left out"
     note = (

@@ -16,7 +16,7 @@ from octocell_report import ablation, captions, frames, images, markdown, page_t
 from octocell_report.error import MILLION, Study
 from octocell_report.files import staged_folder
 from octocell_report.load import Result
-from octocell_report.texts import Said, say
+from octocell_report.texts import Said, how, say, title
 
 
 @dataclass(frozen=True)
@@ -34,10 +34,11 @@ class Files:
         parts = [f"# {say(f'section_{self.name}').en}", " ".join(note.en for note in self.notes)]
         tables = {name: markdown.table(table) for name, table in self.shown.items() if len(table)}
         for name in images.drawn(self.figures, folder):
-            picture = f"![{say(f'title_{name}').en}]({name}.png)"
-            parts += [*_chapter(name), picture, *([tables.pop(name)] if name in tables else [])]
+            parts += [f"## {title(name).en}", f"![{how(name).en}]({name}.png)"]
+            parts += [tables.pop(name)] if name in tables else []
         for name, table in tables.items():
-            parts += [*(_chapter(name) if name not in self.figures else []), table]
+            parts += [f"## {title(name).en}", how(name).en] if name not in self.figures else []
+            parts += [table]
         text = markdown.plain("\n\n".join(parts) + "\n")
         (folder / f"{self.name}.md").write_text(text, encoding="utf-8")
 
@@ -52,11 +53,6 @@ class Files:
         with staged_folder(folder, self.owned, inputs) as staging:
             self.write(staging)
             return sorted(path.name for path in staging.iterdir())
-
-
-def _chapter(name: str) -> list[str]:
-    """Its title, and how to read it."""
-    return [f"## {say(f'title_{name}').en}", say(f"how_{name}").en]
 
 
 def of_ablation(result: Result) -> Files:

@@ -3,10 +3,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pandas as pd
 
 from octocell_report import spread
 from octocell_report.load import DEVICE_RUNS, RUNS, Place, Result
+from octocell_report.plan import REBUILT
 
 UPDATES = ("first_update", "update")
 DYNAMIC = "dynamic"
@@ -35,6 +38,17 @@ def compared(result: Result, scene: str, run: str) -> Place | None:
     sizes = list(sides[sides == sides.max()].index)
     sizes = sizes or [g.n for g in result.groups if g.scene == scene and g.n > 0]
     return Place(scene, int(max(sizes))) if sizes else None
+
+
+def searched_again(result: Result) -> dict[int, Any]:
+    """By the index of a row: that of the same frames, each searched from nothing, where exact."""
+    variants = result.variants_frame
+    variants = variants[(variants["skips"] == REBUILT) & variants["counts"]]
+    known = {(row.label, row.scene, row.n, row.motion): row for row in variants.itertuples()}
+    keys = {
+        row.Index: (row.label, row.scene, row.n, row.motion) for row in result.frame.itertuples()
+    }
+    return {index: known[key] for index, key in keys.items() if key in known}
 
 
 def speedups(result: Result) -> pd.DataFrame:

@@ -42,6 +42,19 @@ def listed(parts: Iterable[str | Said], mark: str = "comma") -> Said:
     return Said(TEXTS[mark][0].join(english), TEXTS[mark][1].join(chinese))
 
 
+def title(name: str) -> Said:
+    """Of a picture or table; pictures that differ in their run alone share one."""
+    kind, _, run = name.partition("_")
+    key = f"title_{name}"
+    return say(key) if key in TEXTS else say(f"title_{kind}", run=say(f"run_{run}"))
+
+
+def how(name: str) -> Said:
+    """How to read it: what it shares with others of its kind, and what is its own."""
+    keys = dict.fromkeys((f"how_{name.partition('_')[0]}", f"how_{name}"))
+    return listed([say(key) for key in keys if key in TEXTS], "space")
+
+
 # A text is one line or two: English, Chinese.
 # fmt: off
 TEXTS = {
@@ -125,24 +138,29 @@ TEXTS = {
     "title_correctness": ("Wrong rows by scene", "各场景中的错误行"),
     "how_correctness": ("Each row's worst answer over sizes and runs: − pairs missed, + pairs invented, × pairs given twice.",
         "每行在各规模、各次运行中最差的结果：− 漏掉的球对，+ 误报的球对，× 重复的球对。"),
-    "how_time_warm": ("Found from nothing, in memory already touched. Line: median of the rounds; band: fastest to slowest. Hollow marks are not exact; what they miss and invent stands in the legend.",
-        "从头求出，所用内存此前已被访问过。线：各轮的中位数；色带：最快到最慢。空心标记不精确，其漏报与误报写在图例中。"),
+    "title_time": ("Time, {run}", "时间，{run}"),
+    "how_time": ("Line: median of the rounds; band: fastest to slowest; n^b: fitted slope. Hollow marks are not exact; what they miss and invent stands in the legend.",
+        "线：各轮的中位数；色带：最快到最慢；n^b：拟合的斜率。空心标记不精确，其漏报与误报写在图例中。"),
+    "how_time_warm": ("Found from nothing, in memory already touched.", "从头求出，所用内存此前已被访问过。"),
     "how_time_cold": ("Create, plan, allocate and find, all from nothing.", "创建、规划、分配、求解，全部从零开始。"),
     "how_time_first_update": ("The first update after the structure was built.", "结构建成后的第一次更新。"),
     "how_time_update": ("The library's structure stands, every sphere is announced again, then all pairs are asked for.",
         "程序库的结构保持不变，重新通知每个球的位置，再求所有球对。"),
-    "how_speed_warm": ("How many times as fast as the library's fastest exact row (named under the axis); each ratio within one interleaved round.",
-        "速度是该程序库最快精确行（名称写在坐标轴下）的几倍；各轮交错进行，比值都在同一轮内计算。"),
-    "how_speed_cold": ("The same, all from nothing.", "同上，全部从零开始。"),
+    "title_speed": ("Speed-up, {run}", "加速比，{run}"),
+    "how_speed": ("How many times as fast as the library's fastest exact row (named under the axis); right of 1 ours is faster. Ratios are taken within interleaved rounds; mark and number: median; bar: lowest to highest round. Of many sizes the two largest.",
+        "速度是该程序库最快精确行（名称写在坐标轴下）的几倍；大于 1 表示我们更快。各轮交错进行，比值都在同一轮内计算；标记和数字：中位数；线段：最低到最高的一轮。规模多时只列最大的两个。"),
+    "how_speed_cold": ("All from nothing.", "全部从零开始。"),
     "how_speed_first_update": ("Ours finds all pairs again: its warm row.", "我们的实现从头求解：取其热运行。"),
     "how_speed_update": ("Ours finds all pairs again: its warm row. Spheres stand still, the best case of a structure that keeps its pairs.",
         "我们的实现从头求解：取其热运行。球静止不动，这对保存球对的结构最为有利。"),
     "title_dynamic": ("Frame by frame", "逐帧时间"),
-    "how_dynamic": ("Each frame all spheres move, then all pairs are found. Dashed: the same row, searched again every frame. Hollow marks on grey: warm-up, which does not count.",
-        "每一帧所有球先移动，再求出所有球对。虚线：同一行逐帧重新搜索。灰底上的空心标记：预热帧，不计入结果。"),
+    "how_dynamic": ("Each frame all spheres move, then all pairs are found. Line: median of the rounds; band: fastest to slowest. Dashed: the same row, searched again every frame. Hollow marks on grey: warm-up, which does not count.",
+        "每一帧所有球先移动，再求出所有球对。线：各轮的中位数；色带：最快到最慢。虚线：同一行逐帧重新搜索。灰底上的空心标记：预热帧，不计入结果。"),
+    "how_stages": ("Warm, at each scene's largest size. Bars: runs with stage marks; text: the total of runs without marks.",
+        "热运行，取各场景的最大规模。色条：带阶段标记的运行；文字：不带标记的运行的总时间。"),
     "title_stages_backend": ("Our stages", "我们的各阶段"),
-    "how_stages_backend": ("Warm, at each scene's largest size. A fused stage has no bar; the text names the stage that holds its time.",
-        "热运行，取各场景的最大规模。被合并的阶段没有自己的一段，文字注明其时间计在哪个阶段。"),
+    "how_stages_backend": ("A fused stage has no bar; the text names the stage that holds its time.",
+        "被合并的阶段没有自己的一段，文字注明其时间计在哪个阶段。"),
     "title_stages_device": ("Our stages on the GPU", "GPU 上的各阶段"),
     "how_stages_device": ("Each between two events in the device's stream.",
         "每个阶段的时间取自设备流中的两个事件之间。"),
@@ -156,27 +174,28 @@ TEXTS = {
     "how_bandwidth": ("The least bytes a stage must move by its time; dashed: a copy in the same memory. Hollow: so few bytes that a launch takes longer.",
         "一个阶段至少要搬运的字节数除以其时间；虚线：同一内存中的复制。空心：字节太少，启动一次内核的时间更长。"),
     "title_bandwidth_by_size": ("Bandwidth by size", "带宽与规模"),
-    "how_bandwidth_by_size": ("Small scenes stay in the cache in warm runs.", "热运行时小场景留在缓存中。"),
+    "how_bandwidth_by_size": ("Small scenes stay in the cache in warm runs; in those with a cold cache it holds none of them.",
+        "热运行时小场景留在缓存中；冷缓存运行时缓存中没有它们。"),
     "title_memory": ("Bytes per sphere", "每球字节数"),
-    "how_memory": ("Growth of the host's resident memory beyond the scene and the pairs.",
-        "主机常驻内存的增长，不计场景和球对输出。"),
+    "how_memory": ("Growth of the host's resident memory beyond the scene and the pairs, in a process of its own; hatched: not exact.",
+        "主机常驻内存的增长，不计场景和球对输出，在独立进程中测得；斜线：不精确。"),
     "title_ablation_skips": ("Each skip forbidden alone", "逐一禁止每项省略"),
-    "how_ablation_skips": ("Time without the skip by the planned time; above 1 the skip saves. Bold: the plan takes it; grey: it does not, so nothing should change.",
-        "禁止该省略后的时间与计划时间之比；大于 1 表示它节省时间。粗体：计划采用；灰色：没有采用，时间应当不变。"),
+    "how_ablation_skips": ("Time without the skip by the planned time; above 1 (orange) the skip saves, below (blue) it costs. Bold: the plan takes it; grey: it does not, so nothing should change.",
+        "禁止该省略后的时间与计划时间之比；大于 1（橙色）表示它节省时间，小于 1（蓝色）表示费时。粗体：计划采用；灰色：没有采用，时间应当不变。"),
     "title_ablation_steps": ("From nothing skipped to the plan", "从不省略到计划"),
-    "how_ablation_steps": ("Skips allowed one after the other. Green saves, orange costs, pale is within the noise (99 % interval).",
-        "按固定顺序逐一允许各项省略。绿色节省，橙色费时，浅色在噪声之内（99 % 区间）。"),
+    "how_ablation_steps": ("Skips allowed one after the other, all in the same rounds. Green saves, orange costs, pale is within the noise (99 % interval). A number: what the step changes, from 2 % of the start on; grey name: its plan does not take it.",
+        "按固定顺序逐一允许各项省略，都在同一轮次中测量。绿色节省，橙色费时，浅色在噪声之内（99 % 区间）。数字：该步的变化，达到起点的 2 % 才注明；灰色名称：该步的计划没有采用它。"),
     "title_ablation_regret": ("Regret: the plan against the best choice", "遗憾值：计划与最佳选择"),
-    "how_ablation_regret": ("Planned time by that of the fastest method or variant that can be forced, found after the fact. Hollow: it came to the very same plan.",
-        "计划时间除以可强制的最快方法或变体的时间，最快者是事后选出的。空心：与计划完全相同。"),
+    "how_ablation_regret": ("Planned time by that of the fastest method or variant that can be forced, found after the fact. Mark: median of the rounds; line: 99 % interval; dashed: the target. Hollow: it came to the very same plan.",
+        "计划时间除以可强制的最快方法或变体的时间，最快者是事后选出的。标记：各轮的中位数；线段：99 % 区间；虚线：目标。空心：与计划完全相同。"),
     "title_error_pareto": ("Run time against error", "运行时间与误差"),
-    "how_error_pareto": ("Left is faster. Up: pairs lost, down: pairs invented, per million true pairs; on green: no error, and how rare one could still be (3/N, 95 %).",
-        "越靠左越快。向上：漏掉的球对，向下：误报的球对（每百万真实球对）；绿色：没有出错，并注明错误率的上界（3/N，95 %）。"),
+    "how_error_pareto": ("Left is faster. Up: pairs lost, down: pairs invented, per million true pairs; on green: no error, and how rare one could still be (3/N, 95 %). Bold: worst error, median time of the scenes; pale: single scenes; dashed: the fastest that is exact.",
+        "越靠左越快。向上：漏掉的球对，向下：误报的球对（每百万真实球对）；绿色：没有出错，并注明错误率的上界（3/N，95 %）。大标记：各场景中最大的错误和时间的中位数；浅色：单个场景；虚线：最快的精确者。"),
     "title_error_depth": ("How bad the worst pair is", "最严重的错误有多大"),
-    "how_error_depth": ("The depth of the deepest pair lost and the width of the widest gap taken for an overlap, by the sum of the radii.",
-        "漏掉的最深重叠与误报的最宽间隔，以半径之和为单位。"),
+    "how_error_depth": ("The depth of the deepest pair lost (up) and the width of the widest gap taken for an overlap (down), by the sum of the radii.",
+        "漏掉的最深重叠（向上）与误报的最宽间隔（向下），以半径之和为单位。"),
     "title_error_map": ("Errors by scene", "各场景的错误"),
-    "how_error_map": ("Per million true pairs: − lost, + invented.", "每百万真实球对：− 漏掉，+ 误报。"),
+    "how_error_map": ("Per million true pairs: − lost, + invented; darker: more.", "每百万真实球对：− 漏掉，+ 误报；颜色越深越多。"),
     # Tables: a title, and how to read it
     "how_best": ("Nanoseconds per sphere; below them, how many times ours.", "每球纳秒数；下方为我们的时间的倍数。"),
     "title_wrong": ("Wrong rows", "错误的行"),

@@ -40,7 +40,8 @@ def test_files_of_the_command(save, tmp_path, capsys):
     assert regret.verdict.tolist() == ["above", "within", "within", "within"]
     text = (out / "ablation.md").read_text()
     assert "| dense 5k | impl_cpu | **1.11** |" in text and "wrong −3 +1 | skipped |" in text
-    assert "![Each skip forbidden alone](ablation_skips.png)" in text
+    chapter = "## Each skip forbidden alone\n\n![Time without the skip by the planned time;"
+    assert chapter in text and "nothing should change.](ablation_skips.png)" in text
 
 
 def test_one_scene_of_variants_alone_makes_no_figure_but_its_tables(tmp_path):

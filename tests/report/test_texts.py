@@ -11,7 +11,7 @@ import pytest
 
 from octocell_report import captions, check, page, page_tables, plots
 from octocell_report.load import parse
-from octocell_report.texts import TEXTS, Said, listed, say
+from octocell_report.texts import TEXTS, Said, how, listed, say, title
 
 HAN = re.compile(r"[\u4e00-\u9fff]")
 # Letters alone, or names: the same in both languages.
@@ -36,6 +36,7 @@ def test_every_text_is_said_somewhere():
     paths = [*folder.rglob("*.py"), folder / "page.html.j2"]
     sources = "".join(path.read_text() for path in paths if path.name != "texts.py")
     built = {"front", *" ".join(chain(*page.SECTIONS.values())).split()}
+    built |= {name.partition("_")[0] for name in built}  # what several pictures share
     sources += '"comma"' if "listed(" in sources else ""  # its mark, unless another is named
     for key in TEXTS:
         kind, _, name = key.partition("_")
@@ -48,9 +49,8 @@ def test_every_block_has_its_texts():
     for section, names in page.SECTIONS.items():
         assert f"section_{section}" in TEXTS
         for name in " ".join(names).split():
-            assert f"how_{name}" in TEXTS
-            title = page.Block(name, None, in_sight=True).title
-            assert title.en and HAN.search(title.zh), name
+            for text in (title(name), how(name)):
+                assert text.en and HAN.search(text.zh), name
 
 
 def test_alike_is_written_once_and_unlike_twice():
@@ -79,7 +79,9 @@ def test_numbers_are_in_both_languages(every_case):
     assert any(HAN.search(heading.zh) for heading in headings)
 
 
-def test_plots_need_no_chinese_font(every_case):
+def test_plots_say_what_the_page_says_and_need_no_chinese_font(every_case):
     for name, figure in plots.draw_all(parse(every_case)):
         texts = [text.get_text() for text in figure.findobj(plots.plt.Text)]
         assert not any(HAN.search(text) for text in texts), name
+        told = "" if name == "front" else f"{title(name).en} {how(name).en}"
+        assert " ".join(figure.get_suptitle().split()) == told

@@ -31,10 +31,10 @@ def draw(result: Result, looks: dict[str, Look]) -> Figure | None:
     rates = rates.assign(at=rates["scene"].map(result.scenes.index)).sort_values(["at", "order"])
     places = {f"{s} {words.size(n)}": r for (_, s, n), r in rates.groupby(["at", "scene", "n"])}
     shown = [looks[label] for label in looks if (rates["label"] == label).any()]
-    title, each = "Bandwidth at each scene's largest size, warm", rates["backend"].nunique() + 0.2
+    each = rates["backend"].nunique() + 0.2
     heights = [here["stage"].nunique() for here in places.values()]
     key = [Patch(color=look.colour, label=look.label) for look in shown]
-    figure, axes = _grid(result, title, rates, list(places), heights, each, key)
+    figure, axes = _grid(result, "bandwidth", list(places), heights, each, key)
     for ax, here in zip(axes, places.values(), strict=True):
         _bars(ax, result, here, looks)
     return figure
@@ -55,10 +55,9 @@ def draw_by_size(result: Result, looks: dict[str, Look]) -> Figure | None:
     if not shown:
         return None
     every = pd.concat(shown.values())
-    title = f"Bandwidth over the sizes of {bandwidth.SCENE}; cold_cache: the cache holds none of it"
     key = [_look(stage).entry for stage in _stages(every)]
     lines = [_LINES] * len(shown)
-    figure, axes = _grid(result, title, every, list(shown), lines, 1, key, sharey=True)
+    figure, axes = _grid(result, "bandwidth_by_size", list(shown), lines, 1, key, sharey=True)
     for ax, here in zip(axes, shown.values(), strict=True):
         _curves(ax, result, here)
     return figure
@@ -78,22 +77,18 @@ def _stages(rates: pd.DataFrame) -> list[str]:
 
 def _grid(
     result: Result,
-    title: str,
-    rates: pd.DataFrame,
+    name: str,
     names: list[str],
     rows: Sequence[float],
     each: float,
     key: list[Any],
     **options: Any,
 ) -> tuple[Figure, list[Axes]]:
-    title += "\nthe least bytes that a stage must read and write, by its time"
-    if rates["tiny"].any():
-        title += f"; hollow: copying so few takes less than {bandwidth.LAUNCH_US:g} µs"
     if result.gpu:
         copied = words.grouped(result.gpu.copy_gbps)
         label = f"copy on this {result.gpu.name}: {copied} GB/s (read and written)"
         key = [*key, Line2D([], [], label=label, **_COPY)]
-    return facets.grid(title, names, rows, each, columns=2, key=key, **options)
+    return facets.grid(facets.caption(name), names, rows, each, columns=2, key=key, **options)
 
 
 def _bars(ax: Axes, result: Result, rates: pd.DataFrame, looks: dict[str, Look]) -> None:

@@ -35,17 +35,15 @@ _Names = dict[str, tuple[float, float]]  # of tests and libraries: where their m
 
 def draw_rates(study: Study) -> Figure | None:
     """How many pairs are wrong: the plot that the error study is made for."""
-    title = "Run time against error: what a simpler overlap test saves, and gets wrong"
     labels = ["LOST, per million true pairs", "INVENTED, per million true pairs"]
-    return _draw(study, study.points[[*_KINDS]], title, labels, words.rate)
+    return _draw(study, "error_pareto", study.points[[*_KINDS]], labels, words.rate)
 
 
 def draw_depths(study: Study) -> Figure | None:
     """How bad the worst pair is: a miss by rounding and one of deep overlap differ."""
-    title = "How bad the worst pair is: deepest overlap lost, widest gap invented"
     labels = ["deepest pair lost / (rᵢ + rⱼ)", "widest gap invented / (rᵢ + rⱼ)"]
     worst = study.points[["worst_missed_depth", "worst_false_gap"]].clip(TIE, FAR)
-    return _draw(study, worst, title, labels, _share)
+    return _draw(study, "error_depth", worst, labels, _share)
 
 
 def _share(value: float) -> str:
@@ -57,8 +55,8 @@ def _share(value: float) -> str:
 
 def _draw(
     study: Study,
+    name: str,
     sizes: pd.DataFrame,
-    title: str,
     labels: list[str],
     tick: Callable[[float], str],
 ) -> Figure | None:
@@ -72,8 +70,7 @@ def _draw(
     looks, lanes = _looks(study.points), _lanes(study.points)
     classes = list(study.scenes["scene_class"].unique())
     figure, axes = facets.grid(
-        f"{title}\nleft is faster, dashed the fastest that is exact; the further from the green "
-        "strip, the worse\nbold: worst error, median time of the scenes; pale: single scenes",
+        facets.caption(name),
         [*classes, *[""] * 2 * len(classes)],
         [lines for lines in (_LINES, len(lanes) + 2, _LINES) for _ in classes],
         columns=len(classes),

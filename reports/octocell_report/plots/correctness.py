@@ -28,7 +28,7 @@ def draw(result: Result, looks: dict[str, Look]) -> Figure | None:
     others = set(looks) - set(wrong["label"])
     lines |= {f"{len(others)} others": [*others]} if others else {}
     figure, axes = facets.grid(
-        f"Wrong answers: {words.MINUS}missed +invented ×twice, at each scene's worst size",
+        facets.caption("correctness"),
         [""] * len(bands),
         [len(lines)] * len(bands),
         each=1.6,

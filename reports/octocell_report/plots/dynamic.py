@@ -9,9 +9,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from octocell_report import style, words
+from octocell_report import style, tables, words
 from octocell_report.load import Place, Result
-from octocell_report.plan import REBUILT
 from octocell_report.plots import facets
 from octocell_report.style import Look
 
@@ -22,24 +21,19 @@ Line = tuple[Look, Any, Any]  # a row of Result.frame, and the same frames searc
 
 def draw(result: Result, looks: dict[str, Look]) -> Figure | None:
     """One facet per scene, size and motion: exact rows alone; None if no row has frames."""
-    rows, variants = result.frame, result.variants_frame
+    rows, again = result.frame, tables.searched_again(result)
     moving = rows[rows["motion"].notna() & rows["counts"] & (rows["median_ms"] > 0)]
-    again = {
-        (row.label, row.scene, row.n, row.motion): row
-        for row in variants[(variants["skips"] == REBUILT) & variants["counts"]].itertuples()
-    }
     lines: dict[str, list[Line]] = {}
     for (scene, n, motion), here in moving.groupby(_COURSE, sort=False):
         title = words.place(Place(scene, n)) + (f", {motion}" if motion != scene else "")
         lines[title] = [
-            (looks[row.label], row, again.get((row.label, scene, n, motion)))
+            (looks[row.label], row, again.get(row.Index))
             for row in here.sort_values("median_ms", ascending=False, kind="stable").itertuples()
         ]
     if not lines:
         return None
     figure, axes = facets.grid(
-        "Time per frame of moving scenes: move, follow or rebuild, find all pairs\n"
-        "lines: median of the rounds; bands: fastest to slowest round; on grey, hollow: warm-up",
+        facets.caption("dynamic"),
         list(lines),
         [max(_LEAST, sum(2 if line[2] else 1 for line in here)) for here in lines.values()],
     )

@@ -33,7 +33,7 @@ def draw(study: Study) -> Figure | None:
     scenes = dict(list(study.scenes.groupby("scene_class", sort=False)))
     height = study.points["series"].nunique()
     figure, axes = facets.grid(
-        f"Errors per million true pairs, as {words.MINUS}lost +invented; darker: more",
+        facets.caption("error_map"),
         list(scenes),
         [height] * len(scenes),
         1.4,

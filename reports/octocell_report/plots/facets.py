@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Callable, Iterable, Sequence
 from statistics import mean, median
 from typing import Any
@@ -18,16 +19,23 @@ from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, MaxNLocat
 
 from octocell_report import style, words
 from octocell_report.style import Look
+from octocell_report.texts import how, title
 
 _WIDTH = 12.5  # inches; of every figure, so that type is as large in one as in another
+_LETTERS = 125  # of a line that is as wide
 _LINE = 0.25  # inches that a line of text takes
 _AROUND = 3.2  # lines of a facet's name, tick labels and axis label
 _KEY_COLUMNS = 4
 _COLUMN = 48  # points; of numbers in the margin
 
 
+def caption(name: str) -> str:
+    """What a picture is called and how it is read: it may travel alone."""
+    return "\n".join([title(name).en, *textwrap.wrap(how(name).en, _LETTERS)])
+
+
 def grid(
-    title: str,
+    text: str,
     names: Sequence[str],
     rows: Sequence[float],
     each: float = 1.0,
@@ -36,12 +44,12 @@ def grid(
     key_columns: int = _KEY_COLUMNS,
     **options: Any,
 ) -> tuple[Figure, list[Axes]]:
-    """One facet a name, with so many rows, each so many lines of text high. Options are those of
-    subplots."""
+    """Below a text one facet a name, with so many rows, each so many lines of text high. Options
+    are those of subplots."""
     columns = min(columns, len(names))
     heights = [max(rows[at : at + columns]) for at in range(0, len(names), columns)]
     lines = sum(each * height + _AROUND for height in heights)
-    above_and_below = 1 + title.count("\n") + -(-len(key) // key_columns)
+    above_and_below = 1 + text.count("\n") + -(-len(key) // key_columns)
     figure, axes = plt.subplots(
         len(heights),
         columns,
@@ -55,7 +63,7 @@ def grid(
         ax.set_title(name)
     for unused in axes.flat[len(names) :]:
         unused.set_visible(False)
-    figure.suptitle(title, x=0.01, ha="left")
+    figure.suptitle(text, x=0.01, ha="left")
     if key:
         figure.legend(handles=list(key), loc="outside lower left", ncols=key_columns)
     return figure, list(axes.flat[: len(names)])

@@ -57,7 +57,7 @@ def _over_sizes(ax: Axes, curves: pd.DataFrame, looks: dict[str, Look]) -> None:
         ax.plot(curves[who].dropna(), **look.shape)
     facets.logarithmic(ax, "x", "spheres", list(curves.index), lambda n: words.size(round(n)))
     facets.logarithmic(ax, "y", "ns per sphere")
-    ends = curves[list(looks)].ffill().iloc[-1].sort_values()
+    ends = curves[list(looks)].ffill().iloc[-1].dropna().sort_values()
     to_share = ax.transData + ax.transAxes.inverted()
     heights = [to_share.transform((1, ns))[1] for ns in ends]
     for (who, ns), height in zip(ends.items(), facets.apart(heights, _NAME), strict=True):

@@ -24,8 +24,7 @@ def draw(result: Result, looks: dict[str, Look]) -> Figure | None:
     places = {Place(*at): here for at, here in rows.groupby(["scene", "n"], sort=False)}
     shown = [place for scene in result.scenes for place in places if place.scene == scene]
     figure, axes = facets.grid(
-        "Memory per sphere beyond input and output\n"
-        "growth of resident memory in a process of its own; hatched: not exact there",
+        facets.caption("memory"),
         [words.place(place) for place in shown],
         [len(places[place]) for place in shown],
         columns=_COLUMNS,

@@ -12,7 +12,6 @@ from octocell_report import ablation, style, words
 from octocell_report.ablation import TARGET
 from octocell_report.load import Result
 from octocell_report.plots import facets
-from octocell_report.spread import SHARE
 from octocell_report.style import Look
 
 _LOOKS = {
@@ -32,9 +31,7 @@ def draw(result: Result) -> Figure | None:
     every = {b: list(found.itertuples()) for b, found in regrets.groupby("backend", sort=False)}
     met = set(regrets["verdict"])
     figure, axes = facets.grid(
-        "The plan against the best of all methods and variants, found after the fact; dashed: the "
-        f"target {TARGET:.2f}\nmarks: median ratio over the rounds; lines: its {SHARE} % interval "
-        "(bootstrap over rounds); right: ratio and best choice",
+        facets.caption("ablation_regret"),
         list(every),
         [len(found) for found in every.values()],
         1.3,

@@ -27,9 +27,7 @@ def draw(result: Result) -> Figure | None:
     skips = list(effects["skip"].unique())
     every = dict(list(effects.groupby("backend", sort=False)))
     figure, axes = facets.grid(
-        "Time with one skip forbidden / time planned, median of the rounds: orange, the skip saves "
-        "time; blue, it costs some\nbold: the plan takes the skip; grey: the scene does not need "
-        "it, so 1 is right",
+        facets.caption("ablation_skips"),
         list(every),
         [here["study"].nunique() for here in every.values()],
         1.2,

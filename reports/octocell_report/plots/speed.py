@@ -24,7 +24,7 @@ _GLYPHS = {"^": "▲ ", "v": "▼ "}  # of markers, where there is one
 def draw(result: Result, looks: dict[str, Look], run: str) -> Figure | None:
     """A facet per scene and size, a line per implementation, a mark per library."""
     found = tables.speedups(result)
-    found, some = _fewer(found[found["run"] == run])
+    found = _fewer(found[found["run"] == run])
     if found.empty:
         return None
     places = dict(list(found.groupby(["scene", "n"], sort=False)))
@@ -33,9 +33,7 @@ def draw(result: Result, looks: dict[str, Look], run: str) -> Figure | None:
         for index, family in enumerate(found["family_ref"].unique())
     }
     figure, axes = facets.grid(
-        f"Speed, {words.run(found['own_run'].iloc[0])} against {words.run(run)}{some}: baseline "
-        "time / our time, round by round; right of 1 ours is faster\n"
-        "marks: median; bars: lowest to highest round; numbers: the medians",
+        facets.caption(f"speed_{run}"),
         [words.place(Place(*place)) for place in places],
         [here["label"].nunique() for here in places.values()],
         columns=_COLUMNS,
@@ -47,13 +45,11 @@ def draw(result: Result, looks: dict[str, Look], run: str) -> Figure | None:
     return figure
 
 
-def _fewer(found: pd.DataFrame) -> tuple[pd.DataFrame, str]:
-    """Two sizes of each scene where all would make the figure too tall, and words that say so."""
-    places = found[["scene", "n"]].drop_duplicates()
-    if len(places) <= _MOST:
-        return found, ""
-    kept = places.sort_values("n").groupby("scene").tail(2)
-    return found.merge(kept, on=["scene", "n"]), ", two largest sizes (all: in the table)"
+def _fewer(found: pd.DataFrame) -> pd.DataFrame:
+    """Two sizes of each scene where all would make the figure too tall."""
+    places = found[["scene", "n"]].drop_duplicates().sort_values("n")
+    kept = places if len(places) <= _MOST else places.groupby("scene").tail(2)
+    return found.merge(kept, on=["scene", "n"])
 
 
 def _facet(ax: Axes, rows: pd.DataFrame, looks: dict[str, Look], markers: dict[str, Any]) -> None:

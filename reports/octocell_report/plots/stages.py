@@ -25,18 +25,18 @@ _LETTERS = 0.055  # the share of the longest bar that a percentage needs
 def draw(result: Result, looks: dict[str, Look], side: str) -> Figure | None:
     """One facet per scene at the largest size that this side ran at; milliseconds."""
     rows, parts = _largest(result, looks, [side])
-    title, unit = "Stages at each scene's largest size, warm", "time, warm [ms]"
     rows = rows.sort_values(["at", "order"])
-    return _draw(title, unit, rows, parts, facet="place", bar="title", alike="place")
+    name, unit = f"stages_{side}", "time, warm [ms]"
+    return _draw(name, unit, rows, parts, facet="place", bar="title", alike="place")
 
 
 def draw_per_sphere(result: Result, looks: dict[str, Look]) -> Figure | None:
     """One facet per implementation of ours, one bar per scene; one scale per backend."""
     rows, parts = _largest(result, looks, ["backend", "device"])
-    title = "The same per sphere: how the scene changes the cost; one scale per backend"
     unit, parts = "time per sphere, warm [ns]", parts.mul(1e6 / rows["n"], axis=0)
     rows = rows.sort_values(["order", "at"])
-    return _draw(title, unit, rows, parts, facet="title", bar="place", alike="backend")
+    name = "stages_per_sphere"
+    return _draw(name, unit, rows, parts, facet="title", bar="place", alike="backend")
 
 
 def _largest(
@@ -59,7 +59,7 @@ def _largest(
 
 
 def _draw(
-    title: str, unit: str, rows: pd.DataFrame, parts: pd.DataFrame, facet: str, bar: str, alike: str
+    name: str, unit: str, rows: pd.DataFrame, parts: pd.DataFrame, facet: str, bar: str, alike: str
 ) -> Figure | None:
     """Facets where one of the bars has stages; those alike in a column have one scale."""
     staged = parts.notna().any(axis=1).reindex(rows.index)
@@ -72,7 +72,7 @@ def _draw(
     if not rows["counts"][staged].all():
         key.append(Patch(facecolor="#dddddd", edgecolor="white", hatch="////", label="not exact"))
     figure, axes = facets.grid(
-        f"{title}\nbars: runs with stage marks; text: total of runs without marks",
+        facets.caption(name),
         list(shown),
         list(map(len, shown.values())),
         _EACH,

@@ -10,7 +10,6 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from octocell_report import ablation, style, words
-from octocell_report.ablation import WORTH_TELLING
 from octocell_report.load import Result
 from octocell_report.plan import NOTHING, PLANNED
 from octocell_report.plots import facets
@@ -35,10 +34,7 @@ def draw(result: Result) -> Figure | None:
     several = steps["backend"].nunique() > 1
     met = {*_KINDS} - {"joint"} | {*steps["kind"]}
     figure, axes = facets.grid(
-        "Skips allowed one after the other, from none to all: median time, all in the same rounds\n"
-        "beside a bar: what the step changes, where it is beyond the noise and "
-        f"{100 * WORTH_TELLING:.0f} % of the start; grey name: the plan of that step does not take "
-        "it",
+        facets.caption("ablation_steps"),
         [f"{backend}\n{title}" if several else title for backend, title in studies],
         [len(here) + 2 for here in studies.values()],
         0.94,

@@ -15,12 +15,6 @@ from octocell_report.load import Result
 from octocell_report.plots import facets
 from octocell_report.style import Look
 
-MEANING = {
-    "cold": "cold: everything made from nothing",
-    "warm": "warm: found from nothing, in memory already touched",
-    "first_update": "first update: as update, the first after the structure was built",
-    "update": "update: structure stands, every sphere re-announced",
-}
 _LEAST = 12  # lines of text that a facet is high
 
 
@@ -33,8 +27,7 @@ def draw(result: Result, looks: dict[str, Look], run: str) -> Figure | None:
     if not scenes:
         return None
     figure, axes = facets.grid(
-        f"Time to find all pairs, {MEANING[run]}\nlines: median of the rounds; bands: fastest to "
-        "slowest round; n^b: fitted slope; hollow: not exact",
+        facets.caption(f"time_{run}"),
         scenes,
         [max(_LEAST, met["label"][scene]) for scene in scenes],
     )
