@@ -106,7 +106,7 @@ inline Stages stages_after_bounds(const Plan& plan, FrameMode mode = FrameMode::
   return tests.with(Stage::cell_ids).with(Stage::sort).with(Stage::cell_index);
 }
 
-/// The stages of our own backends. Their order is written here and nowhere else.
+/// Runs the stages of our own backends, in the order of stage.hpp.
 class GridPairFinder : public PairFinder {
  public:
   void find_pairs(StageClock& clock) final {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The stages. Their names are file stems, function names, timer labels, JSON keys, report columns
+// The stages, in the order in which they run. Their names are file stems, function names, timer labels, JSON keys, report columns
 // and chapter names; tests/layout/test_layout.py checks that.
 #pragma once
 
