@@ -65,6 +65,14 @@ function line(from, to, style) {
   return `<line x1="${from[0]}" y1="${from[1]}" x2="${to[0]}" y2="${to[1]}" class="${style}"/>`;
 }
 
+/** A line that leaves the numbers at its ends legible. */
+function shortLine(from, to, style) {
+  const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+  const cut = Math.min(12, length / 3) / (length || 1);
+  const at = (share) => [from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])];
+  return line(at(cut), at(1 - cut), style);
+}
+
 function cellShape(view, trace, cell, style) {
   const {low, width} = boxOf(trace, cell);
   const corner = (k) => view.at(low.map((at, axis) => at + ((k >> axis) & 1) * width[axis]));
@@ -94,7 +102,7 @@ function pairLines(view, trace, step) {
   const middle = (ball) => view.at(trace.spheres[ball]);
   const shown = (pair, style) => {
     const [i, j] = typeof pair === "string" ? pair.split(",").map(Number) : pair;
-    return line(middle(i), middle(j), `pair ${style}`);
+    return shortLine(middle(i), middle(j), `pair ${style}`);
   };
   if (step.stage === "pair_tests") {
     const {considered} = trace.stages.pair_tests;
@@ -106,6 +114,7 @@ function pairLines(view, trace, step) {
     ].join("");
   }
   if (step.stage !== "pairs") return "";
+  if (step.pair) return shown(step.pair, "missed");
   const {missed, duplicates} = judge(trace);
   return [
     ...trace.pairs.map((pair) => shown(pair, "found")),
@@ -118,7 +127,7 @@ function ballShape(view, trace, ball, step, word) {
   const [x, y] = view.at(trace.spheres[ball]);
   const radius = trace.spheres[ball][3] * view.scale;
   const isActive = step.ball === ball || (step.pair || []).includes(ball);
-  return `<g class="ball${isActive ? " active" : ""}" data-ball="${ball}" tabindex="0" role="button" aria-label="${word("ball", {ball})}">
+  return `<g class="ball${isActive ? " active" : ""}${view.flat ? "" : " solid"}" data-ball="${ball}" tabindex="0" role="button" aria-label="${word("ball", {ball})}">
 <circle cx="${x}" cy="${y}" r="${Math.max(radius, 3)}"/><text x="${x}" y="${y}">${ball}</text></g>`;
 }
 

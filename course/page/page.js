@@ -82,13 +82,15 @@ function show() {
   $("play").textContent = word(timer ? "pause" : "play");
   $("stage").textContent = word(`stage_${step.stage}`);
   $("where").textContent = word("step", {step: state.step + 1, steps: steps.length});
-  $("picture").innerHTML = drawScene(trace, step, word);
   const isHidden = state.predict && step.question && state.answer === null;
+  $("picture").innerHTML = drawScene(trace, isHidden ? steps[state.step - 1] || step : step, word);
   $("say").textContent = isHidden ? "" : say(step.say);
   $("arrays").innerHTML = drawArrays(trace, isHidden ? steps[state.step - 1] || step : step, word);
   $("position").max = steps.length - 1;
   $("position").value = state.step;
-  $("program-title").textContent = word("program", {file: PROGRAM_OF[state.rule]});
+  $("side").disabled = state.rule !== "lowest_cell";
+  const program = state.rule === "as_written" ? "program" : "program_idea";
+  $("program-title").textContent = PROGRAM_OF[state.rule] ? word(program, {file: PROGRAM_OF[state.rule]}) : "";
   showProgram(step.code);
   showQuestion(step);
   showRules();
@@ -98,15 +100,20 @@ function show() {
 /** Whether the run in the file, on the scene as it was given, agrees with this page. */
 function showRecorded() {
   const {recorded} = SCENES[state.scene];
-  const {key, side} = compareWith(recorded, tracer);
-  $("recorded").textContent = word(key, {backend: recorded.backend, side: short(side)});
+  const {key, side} = isShown(recorded, trace) ? compareWith(recorded, tracer) : {key: "recorded_other", side: 0};
+  const values = {backend: recorded.backend, side: short(side), rule: recorded.plan.rule || recorded.plan.method};
+  $("recorded").textContent = word(key, values);
   $("recorded").classList.toggle("differs", key === "recorded_differs");
 }
 
 function showProgram([name, pattern]) {
   const lines = PROGRAMS[PROGRAM_OF[state.rule]];
+  $("program").hidden = !lines;
+  if (!lines) return;
   const begin = lines.findIndex((text) => new RegExp(`^\\S.*\\b${name}\\(`).test(text));
-  const at = lines.findIndex((text, k) => k > begin && pattern.test(text));
+  const end = lines.findIndex((text, k) => k > begin && text === "}");
+  const inside = lines.findIndex((text, k) => k > begin && k < end && pattern.test(text));
+  const at = inside >= 0 ? inside : lines.findIndex((text, k) => k > begin && CODE.is_tested_here[1].test(text));
   const escaped = (text) => text.replace(/[&<]/g, (letter) => (letter === "&" ? "&amp;" : "&lt;"));
   $("program").innerHTML = `${escaped(lines[begin])}\n<mark>${escaped(lines[at])}</mark>`;
 }

@@ -35,6 +35,14 @@ function computedEntries(trace) {
     .filter((entry) => entry).sort();
 }
 
+/** Whether the page shows the spheres, the rule and the cells of the run. */
+function isShown(recorded, trace) {
+  const isSame = JSON.stringify(recorded.spheres.map((s) => s.map(Math.fround))) === JSON.stringify(trace.spheres);
+  const {rule, grids} = recorded.plan;
+  const sameSide = rule !== "lowest_cell" || Math.fround(trace.side) === Math.fround(grids[0].sides[1]);
+  return isSame && sameSide && recordedRule(recorded) === trace.rule;
+}
+
 /** The text that says what agrees. Half shells have other columns here, brute force has no cells. */
 function compareWith(recorded, tracer) {
   const trace = tracer.trace(recorded.spheres, recordedRule(recorded), recordedSide(recorded));

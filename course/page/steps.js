@@ -10,7 +10,7 @@ const PROGRAM_OF = {
   as_written: "1_as_written.cpp",
   chapter32: "6_control_bits.cpp",
   lowest_cell: "8_exact.cpp",
-  half_shell: "8_exact.cpp",
+  half_shell: null,  // the course text has nothing like it
 };
 
 // The function of course/pipeline that does a step, and its line that does it.
@@ -25,6 +25,12 @@ const CODE = {
   main: ["main", /print_pairs/],
 };
 
+// The text's rule decides in one of three lines.
+const CODE_OF_REASON = {
+  "both are phantoms": /a & b & kPhantom/,
+  "home with home": /return true/,
+};
+
 /** The entries of one sphere, the home first, with their places. */
 function entriesOf(trace, ball) {
   const {cell_ids: ids, objects} = trace.stages.cell_ids;
@@ -35,24 +41,45 @@ function entriesOf(trace, ball) {
   return found.sort((a, b) => a.phantom - b.phantom);
 }
 
+/** Whether the eight places that the text gives a ball are used: more cells would be left out. */
+function isFull(trace, ball) {
+  return trace.rule === "as_written" && entriesOf(trace, ball).length === 8;
+}
+
 function digitOf(id, pass) {
   return Math.floor(id / 2 ** pass.shift) % 2 ** pass.bits;
 }
 
 function sceneStep(trace) {
-  const values = {count: trace.spheres.length, exact: trace.exact.length, side: short(trace.side)};
-  return {stage: "scene", say: ["say_scene", values], code: CODE.make_grid};
+  const values = {
+    count: trace.spheres.length, exact: trace.exact.length, side: short(trace.side), column: short(trace.column),
+  };
+  const key = trace.rule === "half_shell" ? "say_scene_rows" : "say_scene";
+  return {stage: "scene", say: [key, values], code: CODE.make_grid};
+}
+
+/** Whether the home is the cell of the centre: the text's conversion to unsigned may say otherwise. */
+function holdsCentre(trace, ball, cell) {
+  const {low, width} = boxOf(trace, cell);
+  return [0, 1, 2].every((axis) => {
+    const at = trace.spheres[ball][axis];
+    const last = trace.rule !== "as_written";  // other grids clamp to the box of the centres
+    return at >= low[axis] - 1e-6 * width[axis] && (last || at <= low[axis] + width[axis] * (1 + 1e-6));
+  });
 }
 
 function cellSteps(trace) {
   return trace.spheres.map((_, ball) => {
     const entries = entriesOf(trace, ball);
     const values = {ball, cell: entries[0].id, phantoms: entries.length - 1};
-    const key = trace.rule === "half_shell" ? "say_no_phantoms" : "say_cell_ids";
+    const isFiled = holdsCentre(trace, ball, entries[0].cell);
+    const key = trace.rule === "half_shell" ? "say_no_phantoms" : isFiled ? "say_cell_ids" : "say_saturated";
+    const say = [key, values];
+    if (isFull(trace, ball)) say.push("say_full", {});
     const ask = ball % 2 === 0 ? "ask_home" : "ask_phantoms";
     const answer = ball % 2 === 0 ? values.cell : values.phantoms;
     return {
-      stage: "cell_ids", ball, say: [key, values], code: CODE.list_cells,
+      stage: "cell_ids", ball, say, code: CODE.list_cells,
       question: {ask: [ask, values], answer},
     };
   });
@@ -101,8 +128,12 @@ function indexSteps(trace) {
 function testSteps(trace) {
   return trace.stages.pair_tests.considered.map((one, row) => ({
     stage: "pair_tests", row, cell: one.cell, pair: [one.i, one.j],
-    say: ["say_considered", {...one, reason: {key: one.reason}, verdict: {key: one.verdict}}],
-    code: CODE.is_tested_here,
+    say: [
+      trace.rule === "half_shell" ? "say_considered_row" :
+        one.i === one.j ? "say_considered_self" : "say_considered",
+      {...one, reason: {key: one.reason}, verdict: {key: one.verdict}},
+    ],
+    code: [CODE.is_tested_here[0], CODE_OF_REASON[one.reason] || CODE.is_tested_here[1]],
     question: {
       ask: ["ask_tested", one],
       answer: {key: one.verdict === "passed over" ? "no" : "yes"}, options: [{key: "yes"}, {key: "no"}],
@@ -121,6 +152,29 @@ function judge(trace) {
   };
 }
 
+/** Why a pair is missed: what happened in each cell that lists both. */
+function lostStep(trace, pair) {
+  const [i, j] = pair.split(",").map(Number);
+  const met = trace.stages.pair_tests.considered.filter(
+    (one) => Math.min(one.i, one.j) === i && Math.max(one.i, one.j) === j);
+  const say = [met.length === 0 ? "say_lost_nowhere" : "say_lost", {i, j}];
+  for (const one of met.slice(0, 3)) {
+    if (one.reason !== "the phantom has the smaller home id") {
+      say.push("say_lost_neither", {cell: one.cell});
+      continue;
+    }
+    const phantom = entriesOf(trace, i).some((e) => e.id === one.cell && e.phantom) ? i : j;
+    const home = entriesOf(trace, phantom)[0].id;
+    const isListed = entriesOf(trace, i + j - phantom).some((e) => e.id === home);
+    const values = {cell: one.cell, phantom, home, other: i + j - phantom};
+    say.push(isListed ? "say_lost_left" : "say_lost_left_alone", values);
+  }
+  for (const ball of [i, j]) if (isFull(trace, ball)) say.push("say_lost_full", {ball});
+  const code = met.length === 0 ? CODE.list_cells :
+    [CODE.is_tested_here[0], CODE_OF_REASON[met[0].reason] || CODE.is_tested_here[1]];
+  return {stage: "pairs", pair: [i, j], say, code};
+}
+
 function answerStep(trace) {
   const {found, missed, duplicates} = judge(trace);
   const values = {found, missed: missed.length, duplicates: duplicates.length};
@@ -136,7 +190,7 @@ function lastArrays(trace) {
 function stepsOf(trace) {
   return [
     sceneStep(trace), ...cellSteps(trace), ...sortSteps(trace), ...indexSteps(trace), ...testSteps(trace),
-    answerStep(trace),
+    ...judge(trace).missed.map((pair) => lostStep(trace, pair)), answerStep(trace),
   ];
 }
 

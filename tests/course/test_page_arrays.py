@@ -155,7 +155,7 @@ def test_the_page_agrees_with_the_run_that_it_holds(
         side = browser.execute_script("return trace.side")
         if "--cell-side" in options:
             assert side == 1.25 and "cells of 1.25" in said.text
-    browser.execute_script("SCENES[0].recorded.pairs.pop(); state.scene = 0; show()")
+    browser.execute_script("SCENES[0].recorded.pairs.pop(); state.scene = 0; reset(); retrace()")
     assert "differs" in browser.find_element(By.ID, "recorded").text
 
 

@@ -48,7 +48,7 @@ def test_steps_go_forward_and_back(browser: webdriver.Chrome, page: Path) -> Non
         press(browser, Keys.ARROW_LEFT)
         assert shown(browser) == before
     press(browser, Keys.END)
-    assert "missed" in browser.find_element(By.ID, "say").text
+    assert "Missed: 1 (red)" in browser.find_element(By.ID, "say").text
     press(browser, Keys.PAGE_UP)
     assert browser.find_element(By.ID, "stage").text == "Pair tests"
     press(browser, Keys.HOME)
@@ -67,6 +67,29 @@ def test_every_text_is_there_in_both_languages() -> None:
         assert english and chinese, key
         names = [Counter(re.findall(r"\{(\w+)\}", spoken)) for spoken in (english, chinese)]
         assert names[0] == names[1], key
+
+
+@pytest.mark.parametrize(
+    ("scene", "reason"),
+    [
+        ("smaller_home", "so the pair is left to cell 1026, which does not list ball 1."),
+        ("both_phantoms", "The pair (0, 1) is lost. Cell 2051 is the home of neither."),
+        (
+            "ninth_cell",
+            "All 8 places of ball 3 are used; further cells that it meets were left out.",
+        ),
+        ("negative", "The pair (0, 1) is lost: no cell lists both."),
+    ],
+)
+def test_a_lost_pair_has_its_reason(
+    browser: webdriver.Chrome, page: Path, scene: str, reason: str
+) -> None:
+    open_page(browser, page, f"scene={scene}")
+    press(browser, Keys.END, Keys.ARROW_LEFT)
+    assert reason in browser.find_element(By.ID, "say").text
+    open_page(browser, page, f"scene={scene}&step=2")
+    is_elsewhere = "but its centre is not there" in browser.find_element(By.ID, "say").text
+    assert is_elsewhere == (scene == "negative")
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])
@@ -132,7 +155,7 @@ def test_questions_come_before_answers(browser: webdriver.Chrome, page: Path) ->
 def test_programs_that_the_page_shows_have_the_functions_it_names() -> None:
     steps = (PAGE / "steps.js").read_text(encoding="utf-8")
     named = re.findall(r'^  \w+: \["(\w+)", /(.*)/\],$', steps, re.M)
-    assert len(named) == len(set(re.findall(r"code: CODE\.(\w+)", steps))) == 8
+    assert len(named) == len(set(re.findall(r"CODE\.(\w+)", steps))) == 8
     for program in set(re.findall(r'"(\d_\w+\.cpp)"', steps)):
         lines = (ROOT / "course/pipeline" / program).read_text(encoding="utf-8").splitlines()
         for name, pattern in named:
