@@ -70,8 +70,10 @@ def table_of(all_faults: list[PlantedFault]) -> str:
 
 
 def sources() -> Iterator[Path]:
-    """All files of the folders that CMake builds, relative to the root."""
-    for folder in sorted(path.parent for path in ROOT.glob("*/CMakeLists.txt")):
+    """All files of the folders that CMake builds, and headers for users, relative to the root."""
+    for folder in sorted(
+        {path.parent for path in ROOT.glob("*/CMakeLists.txt")} | {ROOT / "include"}
+    ):
         for path in sorted(folder.rglob("*")):
             if path.is_file() and "__pycache__" not in path.parts:
                 yield path.relative_to(ROOT)
