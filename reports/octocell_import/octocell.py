@@ -19,8 +19,8 @@ _ROOT = Path(__file__).resolve().parents[2]
 
 
 def frames_by_octocell(path: Path, name: str, options: Namespace) -> Iterator[Frame]:
-    builds = sorted(map(str, _ROOT.glob("build*/octocell")))
-    found = [os.environ.get("OCTOCELL_BIN"), *builds, shutil.which("octocell")]
+    builds = sorted(_ROOT.glob("build*/octocell"), key=lambda path: -path.stat().st_mtime)
+    found = [os.environ.get("OCTOCELL_BIN"), *map(str, builds), shutil.which("octocell")]
     program = next(filter(None, found), None)
     if program is None:
         raise InputError(f"{path}: octocell reads such files, but is not built here")
