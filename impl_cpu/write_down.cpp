@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/not_recorded.hpp"
 #include "impl_cpu/stages.hpp"
 
 namespace octocell::cpu {
@@ -27,16 +28,16 @@ void copy_ids(const Workspace& w, RecordedIds& to) {
 
 void note_passes(const Workspace& w, RunRecord& record) {
   record.passes.exists = !w.used.has(Skip::sort);
-  if (!record.passes.exists) record.passes.lack("the ids were in order: nothing was sorted");
+  if (!record.passes.exists) record.passes.lack(not_recorded::kInOrder);
 }
 
 void copy_index(const Workspace& w, RunRecord& record) {
   if (w.plan.method == Method::half_shell) {
     record.rows.set(copy_of(w.ordered.rows.data(), w.ordered.row_count));
-    record.cells.lack("half_shell has rows of cells instead");
+    record.cells.lack(not_recorded::kRowsInstead);
   } else {
     record.cells.set(copy_of<CellEntry>(w.cells.items()));
-    record.rows.lack("only half_shell has rows");
+    record.rows.lack(not_recorded::kNoRows);
   }
 }
 
@@ -45,8 +46,7 @@ void copy_pairs(const Workspace& w, RunRecord& record) {
   record.uncertain.set(copy_of<Pair>(w.uncertain_pairs.items()));
   record.considered.exists = w.plan.method != Method::half_shell;
   if (!record.considered.exists) {
-    record.considered.lack(
-        "half_shell tests many spheres at once, and notes only those that may overlap");
+    record.considered.lack(not_recorded::kNoCandidates);
   }
 }
 
@@ -59,7 +59,7 @@ void write_down(const Workspace& w, Stage stage, RunRecord& record) {
     if (w.plan.rule == Rule::chapter32) {
       record.control_bits.set(copy_of(w.control_bits.data(), w.scene.spheres.size()));
     } else {
-      record.control_bits.lack("only rule chapter32 has control bits of spheres");
+      record.control_bits.lack(not_recorded::kNoControlBits);
     }
   }
   if (stage == Stage::sort) {

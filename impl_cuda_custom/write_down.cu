@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/cuda/cuda.cuh"
+#include "core/not_recorded.hpp"
 #include "impl_cuda_custom/stages.cuh"
 
 namespace octocell::cuda_custom {
@@ -56,7 +57,7 @@ void copy_pairs(Workspace& w, const State& state, RunRecord& record) {
     record.uncertain.set(copy_of(w, w.uncertain_pairs.data(), state.uncertain_pairs));
   }
   if (w.half_shell()) {
-    record.considered.lack("half_shell notes only spheres that may overlap");
+    record.considered.lack(not_recorded::kNoCandidates);
   } else {
     const std::uint64_t count = copy_of(w, w.considered_count.data(), 1).front();
     record.considered.set(in_order(copy_of(w, w.considered.data(), count)));
@@ -77,14 +78,14 @@ void write_down(Workspace& w, Stage stage, RunRecord& record) {
     if (w.plan.rule == Rule::chapter32) {
       record.control_bits.set(copy_of(w, w.control_bits.data(), w.sphere_count()));
     } else {
-      record.control_bits.lack("only rule chapter32 has control bits of spheres");
+      record.control_bits.lack(not_recorded::kNoControlBits);
     }
   }
   if (stage == Stage::sort) {
     copy_ids(w, state, w.sorted(), record.sorted);
     const bool sorted = !w.half_shell() || state.out_of_order != 0;
     record.passes.exists = sorted;
-    if (!sorted) record.passes.lack("the ids were in order: nothing was sorted");
+    if (!sorted) record.passes.lack(not_recorded::kInOrder);
   }
   if (stage == Stage::cell_index) copy_index(w, state, record);
   if (stage == Stage::pair_tests) copy_pairs(w, state, record);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Copies of what the stages have written, for a run that is recorded.
 #include <cstdint>
+#include <string_view>
 
+#include "core/not_recorded.hpp"
 #include "impl_thrust/stages.cuh"
 
 namespace octocell::on_thrust {
@@ -17,10 +19,10 @@ template <typename System>
 void copy_index(Workspace<System>& w, RunRecord& record) {
   if (w.half_shell()) {
     record.rows.set(w.system.read(w.rows.data(), w.cell_count));
-    record.cells.lack("half_shell has rows of cells instead");
+    record.cells.lack(not_recorded::kRowsInstead);
   } else {
     record.cells.set(w.system.read(w.cells.data(), w.cell_count));
-    record.rows.lack("only half_shell has rows");
+    record.rows.lack(not_recorded::kNoRows);
   }
 }
 
@@ -30,7 +32,7 @@ void copy_pairs(Workspace<System>& w, RunRecord& record) {
   if (w.uncertain_pairs_complete()) {
     record.uncertain.set(w.system.read(w.uncertain_pairs.data(), w.uncertain_count));
   }
-  if (w.half_shell()) record.considered.lack("half_shell notes only spheres that may overlap");
+  if (w.half_shell()) record.considered.lack(not_recorded::kNoCandidates);
 }
 
 }  // namespace
@@ -43,14 +45,15 @@ void write_down(Workspace<System>& w, Stage stage, RunRecord& record) {
     if (w.plan.rule == Rule::chapter32) {
       record.control_bits.set(w.system.read(w.control_bits.data(), w.sphere_count()));
     } else {
-      record.control_bits.lack("only rule chapter32 has control bits of spheres");
+      record.control_bits.lack(not_recorded::kNoControlBits);
     }
   }
   if (stage == Stage::sort) {
     copy_ids(w, record.sorted);
-    record.passes.lack(w.used.has(Skip::sort)
-                           ? "the ids were in order: nothing was sorted"
-                           : "Thrust sorts in one call, which does not show its passes");
+    record.passes.lack(
+        w.used.has(Skip::sort)
+            ? not_recorded::kInOrder
+            : std::string_view("Thrust sorts in one call, which does not show its passes"));
   }
   if (stage == Stage::cell_index) copy_index(w, record);
   if (stage == Stage::pair_tests) copy_pairs(w, record);

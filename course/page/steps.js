@@ -60,11 +60,12 @@ function sceneStep(trace) {
 
 /** Whether the home is the cell of the centre: the text's conversion to unsigned may say otherwise. */
 function holdsCentre(trace, ball, cell) {
+  if (trace.rule !== "as_written") return true;
   const {low, width} = boxOf(trace, cell);
   return [0, 1, 2].every((axis) => {
-    const at = trace.spheres[ball][axis];
-    const last = trace.rule !== "as_written";  // other grids clamp to the box of the centres
-    return at >= low[axis] - 1e-6 * width[axis] && (last || at <= low[axis] + width[axis] * (1 + 1e-6));
+    const at = trace.spheres[ball][axis] - low[axis];
+    const rounding = 1e-6 * width[axis];
+    return at >= -rounding && at <= width[axis] + rounding;
   });
 }
 
