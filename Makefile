@@ -12,7 +12,7 @@ FUZZ_SECONDS ?= 300
 PUBLISHED := reports/results/epyc-zen5-2core/quick.json.gz
 # The scene of the course comes first.
 COURSE_SCENES := course/scenes/eight.csv $(filter-out course/scenes/eight.csv,$(sort $(wildcard course/scenes/*.csv)))
-PAGES := README.md README.zh-CN.md docs/results.md docs/guarantee.md docs/how_to/import_files.md
+PAGES := README.md README.zh-CN.md docs/results.md docs/guarantee.md docs/how_to/import_files.md course/sort_ladder.md course/sort_ladder.zh-CN.md
 # Machine code for the common GPUs from Turing on; the last entry's PTX serves what is newer.
 GPUS ?= 75-real 80-real 86-real 89-real 90
 # ON: `make bundle` packs the build with planted faults instead.
@@ -26,7 +26,7 @@ CUDA_IF_GPU = $(if $(wildcard /dev/nvidiactl)$(filter ON,$(OCTOCELL_CUDA)),$(OCT
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build user-build build-tests test compilers fuzz mutants stress stress-full real bench bench-full bench-sort ablation error report readme traces steps pictures sanitize cuda-toolkit bundle clean
+.PHONY: help setup configure build user-build build-tests test compilers fuzz mutants stress stress-full real bench bench-full bench-sort ablation error report readme traces steps pictures course-pictures sanitize cuda-toolkit bundle clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -127,6 +127,9 @@ studies: setup ## Draw docs/ablation and docs/error from the published results
 
 pictures: build ## Draw the README's pictures from runs of the program and the published results
 	@$(PYTHON) scripts/draw_pictures.py --octocell $(BUILD)/octocell --result $(PUBLISHED)
+
+course-pictures: build ## Draw the pictures of the course from runs of the program
+	@$(PYTHON) scripts/draw_course.py --octocell $(BUILD)/octocell
 
 sanitize: setup ## Build and test with ASan + UBSan, then with TSan
 	@for kind in asan tsan; do \

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rule as_written: the text that started this project, followed word for word (the text of a
-// course). It is a negative control: it loses pairs (docs/stages/2_cell_ids.md shows which and
+// course). It is a negative control: it loses pairs (course/lost_pairs.md shows which and
 // why), the same ones on every backend.
 //
 // Where the text leaves a choice, this file fixes one: cells of 1.5 r_max; coordinates truncated to

@@ -125,7 +125,7 @@ def overlaps(program: Program, output: Path) -> None:
 
 
 def mistake(program: Program, output: Path) -> None:
-    """Two discs that meet in one cell only, home to neither (docs/stages/2_cell_ids.md)."""
+    """Two discs that meet in one cell only, home to neither (course/lost_pairs.md)."""
     discs = np.array([[0.4, 1.6, 0.75, 1.0], [1.6, 0.4, 0.75, 1.0]])
     assert len(program.pairs(discs)) == 1
     assert len(program.pairs(discs, "--rule", "as_written")) == 0

@@ -178,6 +178,7 @@ def test_stage_files_define_the_function_of_their_name(path: Path, number: int, 
 
 def test_docs_have_one_chapter_per_stage() -> None:
     chapters = {path.name: path for path in (ROOT / "docs/stages").glob("[0-9]*.md")}
+    chapters = {name: path for name, path in chapters.items() if "zh-CN" not in name}
     assert sorted(chapters) == [f"{k}_{word}.md" for k, word in enumerate(stages(), 1)]
     for k, word in enumerate(stages(), 1):
         title = chapters[f"{k}_{word}.md"].read_text(encoding="utf-8").partition("\n")[0]
@@ -258,10 +259,7 @@ def test_an_arrow_back_up_is_noticed() -> None:
 
 
 def test_the_reference_shares_no_formula_with_the_backends() -> None:
-    formulas = {
-        f"core/{name}.hpp"
-        for name in ("predicate", "depth", "grid", "chapter32", "flags")
-    }
+    formulas = {f"core/{name}.hpp" for name in ("predicate", "depth", "grid", "chapter32", "flags")}
     for path in files(ROOT / "harness/verify/reference", CPP):
         assert not reached_from(path) & formulas, name_of(path)
 

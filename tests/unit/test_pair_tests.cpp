@@ -109,7 +109,7 @@ TEST(PairTests, AsWrittenLosesTheSamePairsEveryTime) {
   EXPECT_EQ(difference.false_pairs, 0U);
 }
 
-/// The smallest scenes on which the text's rules lose a pair (docs/stages/2_cell_ids.md).
+/// The smallest scenes on which the text's rules lose a pair (course/lost_pairs.md).
 TEST(PairTests, AsWrittenLosesTheCounterExamples) {
   const std::vector<Sphere> in_line = {{1.0F, 1, 1, 1}, {2.8F, 1, 1, 1}};
   ASSERT_TRUE(reference::overlap(in_line[0], in_line[1]));
