@@ -114,7 +114,7 @@ std::optional<double> available_bytes(const fs::path& root) {
 void require_memory(double bytes, std::string_view what) {
   const std::optional<double> available = available_bytes();
   if (!available || bytes <= *available) return;
-  throw LimitError(lack_of_memory(what, bytes, *available));
+  throw MemoryError(lack_of_memory(what, bytes, *available));
 }
 
 std::string lack_of_memory(std::string_view what, double needed, double available) {

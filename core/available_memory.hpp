@@ -20,7 +20,7 @@ std::optional<double> available_bytes(const std::filesystem::path& root = "/");
 
 inline constexpr double kGiB = 1073741824.0;
 
-/// Throws LimitError "WHAT: 3.1 GiB are needed, and 1.2 GiB are available" if `bytes` do not fit.
+/// Throws MemoryError "WHAT: 3.1 GiB are needed, and 1.2 GiB are available" if `bytes` do not fit.
 void require_memory(double bytes, std::string_view what);
 /// Returns that text.
 std::string lack_of_memory(std::string_view what, double needed, double available);

@@ -26,6 +26,11 @@ class Buffer {
   }
   [[nodiscard]] T* data() const { return data_.get(); }
   [[nodiscard]] std::uint64_t capacity() const { return capacity_; }
+  /// Gives the memory away, to be freed by std::free().
+  [[nodiscard]] T* release() {
+    capacity_ = 0;
+    return data_.release();
+  }
   T& operator[](std::uint64_t i) const { return data_[i]; }
 
  private:

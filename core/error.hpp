@@ -1,25 +1,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stdexcept>
+#include <cstdint>
+#include <optional>
 #include <string>
+
+#include "include/octocell/error.hpp"
 
 namespace octocell {
 
-/// The base of all errors. what() is one line that says what went wrong and where.
-struct Error : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 /// A file, a scene, a name or a flag that cannot be used. The command line exits with 2.
 struct InputError : Error {
-  using Error::Error;
+  explicit InputError(const std::string& line, ErrorKind kind = ErrorKind::invalid_argument,
+                      std::optional<std::uint64_t> sphere = {})
+      : Error(line, kind, sphere) {}
 };
 
 /// The request is sound, but a rule's conditions do not hold for this scene, or it needs more
 /// than this machine or this implementation has.
 struct LimitError : Error {
-  using Error::Error;
+  explicit LimitError(const std::string& line, ErrorKind kind = ErrorKind::limit)
+      : Error(line, kind) {}
+};
+
+/// The request needs more memory than this process can have.
+struct MemoryError : LimitError {
+  explicit MemoryError(const std::string& line) : LimitError(line, ErrorKind::memory) {}
 };
 
 }  // namespace octocell

@@ -2,10 +2,13 @@
 // The one question that our backends, FCL and Bullet all answer: which pairs overlap?
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "core/buffer.hpp"
 #include "core/clock.hpp"
 #include "core/frame_mode.hpp"
 #include "core/pair.hpp"
@@ -39,6 +42,12 @@ struct HostBytes {
   double per_id = 0.0;  // of Capacities
   double per_cell = 0.0;
   double per_pair = 0.0;  // per pair or uncertain pair
+};
+
+/// Pairs that belong to their holder.
+struct OwnedPairs {
+  Buffer<Pair> items;
+  std::uint64_t count = 0;
 };
 
 /// Calls come in this order: upload, find_pairs (any number of times), counts, then download or
@@ -77,6 +86,21 @@ class PairFinder {
   virtual std::span<const Pair> sorted_pairs() {
     downloaded_ = download();
     return downloaded_;
+  }
+
+  /// Returns the same in the order that the pairs happen to have. Valid until the next call of
+  /// another function. Untimed.
+  virtual std::span<const Pair> pairs() { return sorted_pairs(); }
+
+  /// Returns the pairs in memory of their own; the finder then has none until its next run. Sorted
+  /// if sorted_pairs() was called before. Untimed.
+  virtual OwnedPairs take_pairs() {
+    const std::span<const Pair> found = pairs();
+    OwnedPairs taken;
+    taken.items.allocate(found.size());
+    taken.count = found.size();
+    std::copy(found.begin(), found.end(), taken.items.data());
+    return taken;
   }
 
   /// Returns count and checksum, wherever the pairs are; also for count_only plans. Untimed.

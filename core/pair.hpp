@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <span>
 
 #include "core/host_device.hpp"
+#include "include/octocell/types.hpp"
 
 namespace octocell {
-
-/// Two overlapping spheres, i < j.
-struct Pair {
-  std::uint32_t i;
-  std::uint32_t j;
-  friend constexpr auto operator<=>(const Pair&, const Pair&) = default;
-};
 
 OCTOCELL_HD Pair make_pair_of(std::uint32_t a, std::uint32_t b) {
   return a < b ? Pair{a, b} : Pair{b, a};

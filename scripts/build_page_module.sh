@@ -14,7 +14,7 @@ exports=(room_for trace text_length grid_numbers)
 # Every source that the compiler reads of ours, without comments and blanks, which change nothing.
 digest() {
   for source in "${sources[@]}"; do
-    g++ -std=c++20 -I . -MM "$source" | tr ' \\' '\n\n' | grep -E '^(core|course)/'
+    g++ -std=c++20 -I . -MM "$source" | tr ' \\' '\n\n' | grep -E '^(core|course|include)/'
   done | sort -u | while read -r file; do
     g++ -std=c++20 -fpreprocessed -dD -E -P -x c++ "$file" 2>/dev/null
   done | sha256sum | cut -d ' ' -f 1

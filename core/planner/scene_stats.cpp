@@ -177,9 +177,14 @@ bool lie_on_lattice(std::span<const Sphere> spheres, double units_per_length) {
          (spheres.empty() || lies_on_lattice(spheres.front(), units_per_length));
 }
 
-std::string describe_first_invalid(std::span<const Sphere> spheres) {
+std::size_t first_invalid(std::span<const Sphere> spheres) {
   std::size_t i = 0;
   while (i + 1 < spheres.size() && is_valid(spheres[i])) ++i;
+  return i;
+}
+
+std::string describe_first_invalid(std::span<const Sphere> spheres) {
+  const std::size_t i = first_invalid(spheres);
   const Sphere& s = spheres[i];
   return fmt::format("sphere {}: x={} y={} z={} r={}; all four must be finite and r >= 0", i, s.x,
                      s.y, s.z, s.r);
@@ -194,13 +199,17 @@ void require_all_flags(SceneView scene) {
 SceneStats measure(SceneView scene) {
   if (scene.spheres.size() > kMaxSpheres) {
     throw InputError(fmt::format("{} spheres; this implementation's limit is {}",
-                                 scene.spheres.size(), kMaxSpheres));
+                                 scene.spheres.size(), kMaxSpheres),
+                     ErrorKind::limit);
   }
   require_all_flags(scene);
   SceneStats stats;
   if (scene.spheres.empty()) return stats;
   const FactsPass pass = measure_facts(scene.spheres);
-  if (!pass.valid) throw InputError(describe_first_invalid(scene.spheres));
+  if (!pass.valid) {
+    throw InputError(describe_first_invalid(scene.spheres), ErrorKind::invalid_sphere,
+                     first_invalid(scene.spheres));
+  }
   stats.facts = pass.facts;
   stats.some_may_collide = some_may_collide(scene.flags);
   stats.static_share =

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -63,6 +64,9 @@ FactsPass merge(const FactsPass& a, const FactsPass& b);
 /// Returns true if each sphere lies on the lattice, like lies_on_lattice(), but several at once.
 /// Stage 1 uses it, too.
 bool lie_on_lattice(std::span<const Sphere> spheres, double units_per_length);
+
+/// Returns the position of the first invalid sphere; there must be one.
+std::size_t first_invalid(std::span<const Sphere> spheres);
 
 /// Returns one line on what is wrong with the first invalid sphere; there must be one.
 std::string describe_first_invalid(std::span<const Sphere> spheres);

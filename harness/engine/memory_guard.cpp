@@ -44,8 +44,8 @@ Plan fitted(Plan plan, const HostBytes& bytes, const Capacities& certain, double
   if (left < 0.0) {
     const std::string what = fmt::format("{} spheres, {} cell ids and {} pairs",
                                          plan.facts.sphere_count, certain.ids, certain.pairs);
-    throw LimitError(lack_of_memory(what, needed, *available + held) +
-                     (certain.pairs > 0 ? "; counting (--count) needs no memory for pairs" : ""));
+    throw MemoryError(lack_of_memory(what, needed, *available + held) +
+                      (certain.pairs > 0 ? "; counting needs no memory for pairs" : ""));
   }
   const double share = left / (wanted - needed);
   Capacities& room = plan.capacity;
