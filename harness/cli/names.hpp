@@ -13,13 +13,13 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <vector>
 
 #include "core/error.hpp"
 #include "core/plan.hpp"
 #include "core/planner/planner.hpp"
 #include "harness/engine/registry.hpp"
+#include "harness/engine/threads_for.hpp"
 
 namespace octocell::cli {
 
@@ -110,16 +110,8 @@ inline void require_used(Skips forced, Skips used) {
   }
 }
 
-inline constexpr int kMaxThreads = 1024;
-
-/// Returns the number of threads; 0 means all hardware threads.
-inline int thread_count(int asked) {
-  if (asked < 0 || asked > kMaxThreads) {
-    throw InputError(
-        fmt::format("--threads {}: must be 1 to {}, or 0 for all", asked, kMaxThreads));
-  }
-  return asked != 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
+/// Returns the number of threads for --threads.
+inline int thread_count(int asked) { return threads_for("--threads", asked); }
 
 /// Prints once on stderr if a run had fewer threads than requested.
 inline void say_if_threads_lack(const Plan& plan, const Counts& counts) {
