@@ -4,6 +4,7 @@ BUILD ?= build
 PRESET ?= release
 VENV := .venv
 PYTHON := $(VENV)/bin/python
+PREFIX ?= /usr/local
 RESULT ?= reports/out/bench.json
 # How many random sequences of frames `make stress-full` plays to each finder: half an hour for each.
 FRAME_SEQUENCES ?= 200000
@@ -26,7 +27,7 @@ CUDA_IF_GPU = $(if $(wildcard /dev/nvidiactl)$(filter ON,$(OCTOCELL_CUDA)),$(OCT
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build user-build build-tests test compilers fuzz mutants stress stress-full real bench bench-full bench-sort ablation error report readme traces steps pictures course-pictures sanitize cuda-toolkit bundle clean
+.PHONY: help setup configure build user-build install build-tests test compilers fuzz mutants stress stress-full real bench bench-full bench-sort ablation error report readme traces steps pictures course-pictures sanitize cuda-toolkit bundle clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -43,7 +44,10 @@ build: configure ## Build build/octocell, no more
 user-build: ## Build only the library and the command line: no FCL, Bullet, GMP, GoogleTest, Google Benchmark, Python
 	@OCTOCELL_DEVELOPER=OFF scripts/setup.sh
 	@cmake --preset $(PRESET) -B $(BUILD)-users -DOCTOCELL_DEVELOPER=OFF -DOCTOCELL_CUDA=$(OCTOCELL_CUDA) >/dev/null
-	@cmake --build $(BUILD)-users --target octocell
+	@cmake --build $(BUILD)-users
+
+install: user-build ## Install the library and the command line in PREFIX (default /usr/local)
+	@cmake --install $(BUILD)-users --prefix $(PREFIX)
 
 build-tests: configure ## Build the tests, too
 	@cmake --build $(BUILD)

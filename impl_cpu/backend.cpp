@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "impl_cpu/coherence/coherence.hpp"
@@ -66,6 +67,17 @@ class CpuBackend final : public GridPairFinder {
     const std::span<Pair> found = w_.pairs.stored();
     std::sort(found.begin(), found.end());
     return found;
+  }
+
+  std::span<const Pair> pairs() override { return w_.pairs.stored(); }
+
+  /// Allocates the next run's list at once, because counts are compared with the plan's capacity.
+  OwnedPairs take_pairs() override {
+    coherence_.forget();
+    Buffer<Pair> next;
+    next.allocate(w_.plan.capacity.pairs);
+    const std::uint64_t count = w_.pairs.stored().size();
+    return {w_.pairs.exchange(std::move(next)), count};
   }
 
   [[nodiscard]] HostBytes host_bytes(const Plan& plan, SceneView scene) const override {

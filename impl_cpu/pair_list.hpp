@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "core/pair.hpp"
 #include "impl_cpu/shared_list.hpp"
@@ -35,6 +36,8 @@ class PairList {
   [[nodiscard]] std::span<const Pair> items() const { return stored_.items(); }
   /// Returns the stored pairs so that the caller can remove some; cut() then sets how many remain.
   [[nodiscard]] std::span<Pair> stored() { return stored_.items(); }
+  /// Returns the memory of the stored pairs and goes on, empty, with other memory.
+  Buffer<Pair> exchange(Buffer<Pair> empty) { return stored_.exchange(std::move(empty)); }
   void cut(std::uint64_t size) { stored_.clear(size); }
   [[nodiscard]] bool complete() const { return stored_.complete(); }
   [[nodiscard]] PairDigest digest() const {

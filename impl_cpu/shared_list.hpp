@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "core/buffer.hpp"
 #include "impl_cpu/block_size.hpp"
@@ -21,6 +22,12 @@ class SharedList {
  public:
   void allocate(std::uint64_t capacity) { items_.allocate(capacity); }
   void clear(std::uint64_t size = 0) { size_.store(size, std::memory_order_relaxed); }
+
+  /// Returns the memory of the items and goes on, empty, with other memory.
+  Buffer<T> exchange(Buffer<T> empty) {
+    clear();
+    return std::exchange(items_, std::move(empty));
+  }
 
   void append(std::span<const T> items) {
     const std::uint64_t at = size_.fetch_add(items.size(), std::memory_order_relaxed);

@@ -52,19 +52,14 @@ class PluginFinder final : public PairFinder {
     counts.candidates = counts.pairs;
     return counts;
   }
-  std::vector<Pair> download() override { return pairs(); }
-  std::span<const Pair> sorted_pairs() override { return pairs(); }
-  PairDigest digest() override { return digest_of(pairs()); }
-
-  [[nodiscard]] HostBytes host_bytes(const Plan&, SceneView) const override {
-    return {.per_pair = 2 * sizeof(Pair)};
+  std::vector<Pair> download() override {
+    const std::span<const Pair> found = pairs();
+    return {found.begin(), found.end()};
   }
-
- private:
-  [[nodiscard]] bool is_complete() const { return count_ <= room_.capacity(); }
+  std::span<const Pair> sorted_pairs() override { return pairs(); }
 
   /// Reads the plug-in's pairs once for each find_pairs().
-  const std::vector<Pair>& pairs() {
+  std::span<const Pair> pairs() override {
     if (is_read_) return pairs_;
     pairs_.clear();
     for (const octocell_pair p : room_.first(std::min(count_, room_.capacity()))) {
@@ -80,6 +75,15 @@ class PluginFinder final : public PairFinder {
     is_read_ = true;
     return pairs_;
   }
+
+  PairDigest digest() override { return digest_of(pairs()); }
+
+  [[nodiscard]] HostBytes host_bytes(const Plan&, SceneView) const override {
+    return {.per_pair = 2 * sizeof(Pair)};
+  }
+
+ private:
+  [[nodiscard]] bool is_complete() const { return count_ <= room_.capacity(); }
 
   void let_go() {
     if (std::exchange(is_prepared_, false)) library_->finish();

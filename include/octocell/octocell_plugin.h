@@ -14,8 +14,11 @@
 extern "C" {
 #endif
 
+#ifndef OCTOCELL_SPHERE_AND_PAIR /* octocell.h has the same */
+#define OCTOCELL_SPHERE_AND_PAIR
 typedef struct octocell_sphere { float x, y, z, r; } octocell_sphere;
 typedef struct octocell_pair { uint32_t i, j; } octocell_pair;
+#endif
 
 /* Finds the pairs of a scene. Needed; the name is looked up in the shared library, so C++ needs extern "C".
  *

@@ -4,37 +4,27 @@
 from __future__ import annotations
 
 import json
-import os
 import subprocess
 from pathlib import Path
 
 import pytest
 
-from program import ROOT, Octocell
+from program import Octocell
+from users_build import users_build
 
-# What such a build may neither look for nor link.
-PACKAGES = ("GTest", "benchmark", "fcl", "Bullet", "PkgConfig", "TBB")
+# What such a build may not link.
 LIBRARIES = ("fcl", "Bullet", "gmp", "gtest", "benchmark", "tbb", "hwy")
 
 
 @pytest.fixture(scope="module")
 def users_octocell() -> Octocell:
-    """Built once, with the Makefile's flags: ccache has nearly all of it from the tests' build."""
-    folder = ROOT / "build-users"
-    options = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in PACKAGES]
-    options += ["-DOCTOCELL_DEVELOPER=OFF", "-DCMAKE_BUILD_TYPE=Release"]
-    options += [f"-DOCTOCELL_CUDA={os.environ.get('OCTOCELL_CUDA', 'AUTO')}"]
-    options += [f"-DOCTOCELL_WERROR={'ON' if os.environ.get('CI') else 'OFF'}"]
-    configure = ["cmake", "-S", ROOT, "-B", folder, "-G", "Ninja", *options]
-    build = ["cmake", "--build", folder, "--target", "octocell", "-j", str(os.cpu_count())]
-    for command in (configure, build):
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        assert done.returncode == 0, done.stdout[-3000:] + done.stderr[-3000:]
-    return Octocell(folder / "octocell")
+    return Octocell(users_build() / "octocell")
 
 
 def test_it_links_nothing_of_the_developers(users_octocell: Octocell) -> None:
-    linked = subprocess.run(["ldd", users_octocell.path], capture_output=True, text=True, check=True)
+    linked = subprocess.run(
+        ["ldd", users_octocell.path], capture_output=True, text=True, check=True
+    )
     for library in LIBRARIES:
         assert f"lib{library}" not in linked.stdout, linked.stdout
 
