@@ -264,7 +264,7 @@ TEST(Library, FindersInThreadsShareNothing) {
       Finder finder({.threads = t % 2 == 0 ? 1 : 2});
       const Scene own = generate(fmt::format("gas:n=1000,seed={}", t));
       for (int round = 0; round < 4; ++round) {
-        if (listed(finder.find(shared.spheres)) != truth) ++wrong[t];
+        if (!std::ranges::equal(finder.find(shared.spheres), truth)) ++wrong[t];
         const std::span<const Pair> pairs = finder.find(own.spheres);
         if (!verify(own.spheres, pairs, {.threads = 1}).exact()) ++wrong[t];
         if (count(shared.spheres, {.threads = 2}) != truth.size()) ++wrong[t];
@@ -273,6 +273,38 @@ TEST(Library, FindersInThreadsShareNothing) {
   }
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(wrong, std::vector<int>(4, 0));
+}
+
+/// The same functions where spheres and pairs travel to a device and back.
+TEST(LibraryOnDevice, GivesTheSamePairs) {
+  if (const auto reason = why_unavailable(Device::cuda)) GTEST_SKIP() << *reason;
+  for (const auto& [spec, scene, truth] : cases()) {
+    const Options options = {.device = Device::cuda, .flags = scene.flags};
+    EXPECT_EQ(listed(find_pairs(scene.spheres, options)), truth) << spec;
+    EXPECT_EQ(count(scene.spheres, options), truth.size()) << spec;
+    EXPECT_TRUE(verify(scene.spheres, truth, options).exact()) << spec;
+    if (truth.size() > 20000) continue;
+    List all;
+    for (const Pairs& chunk : Chunks(scene.spheres, truth.size() / 3 + 1, options)) {
+      all.insert(all.end(), chunk.begin(), chunk.end());
+    }
+    EXPECT_EQ(all, truth) << spec;
+  }
+}
+
+TEST(LibraryOnDevice, FindsFrameAfterFrame) {
+  if (const auto reason = why_unavailable(Device::cuda)) GTEST_SKIP() << *reason;
+  const Scene start = generate("gas:n=2000,static=0.3");
+  for (const bool takes : {false, true}) {
+    Finder finder({.device = Device::cuda, .flags = start.flags});
+    for (const auto& spheres : move(start.spheres, Motion::slow, 6, 7, start.flags)) {
+      const List truth = reference::exact_pairs(spheres, start.flags);
+      EXPECT_EQ(listed(finder.find(spheres)), truth);
+      if (takes) {
+        EXPECT_EQ(listed(finder.take()), truth);
+      }
+    }
+  }
 }
 
 }  // namespace
