@@ -276,7 +276,7 @@ def test_processes_that_it_leaves_behind_are_ended(attempt: Try, tmp_path: Path)
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
-        ("int find_pairs( {", "does not compile: c++: "),
+        ("int find_pairs( {", "does not compile: "),
         ("int other() { return 0; }", "fails: it has no function find_pairs"),
         ("int find_pairs() { return 0; }", "fails: it has no function find_pairs"),
     ],
