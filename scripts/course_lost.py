@@ -39,11 +39,11 @@ class LostScene:
 
 
 LOST_SCENES = {
-    "smaller_home": LostScene("smaller_home", (0, 1), range(1, 6), range(0, 4), 56),
-    "both_phantoms": LostScene("both_phantoms", (0, 1), range(1, 6), range(0, 5), 52),
+    "smaller_home": LostScene("smaller_home", (0, 1), range(1, 6), range(0, 3), 66),
+    "both_phantoms": LostScene("both_phantoms", (0, 1), range(1, 6), range(1, 4), 66),
     "ninth_cell": LostScene("ninth_cell", (2, 3), range(1, 5), range(2, 5), 38, (1, 2, 3)),
-    "negative": LostScene("negative", (0, 1), range(-8, 2), range(-1, 3), 36),
-    "same_id": LostScene("same_id", (1, 2), range(1023, 1027), range(0, 3), 60),
+    "negative": LostScene("negative", (0, 1), range(-8, 2), range(-1, 2), 44),
+    "same_id": LostScene("same_id", (1, 2), range(1023, 1027), range(0, 2), 76),
 }
 
 
@@ -153,9 +153,9 @@ def legend(canvas: Canvas, x: float, y: float, say: Say, three: bool) -> None:
         (BOTH, say("phantoms of both", "两者的幻影")),
     ]
     for k, (colour, words) in enumerate(entries):
-        dx, dy = (k * 130, 0) if three else (0, k * 28)
+        dx, dy = (k * 148, 0) if three else (0, k * 28)
         canvas.box(x + dx, y + dy, 16, 16, colour, GREY)
-        canvas.text(x + dx + 22, y + dy + 13, words, 13, anchor="start")
+        canvas.text(x + dx + 22, y + dy + 14, words, 15, anchor="start")
 
 
 def lost(printed: Callable[..., str], scene: LostScene, say: Say) -> Canvas:
@@ -167,7 +167,7 @@ def lost(printed: Callable[..., str], scene: LostScene, say: Say) -> Canvas:
     low = (scene.columns[0] * side, scene.rows[0] * side)
     high = ((scene.columns[-1] + 1) * side, (scene.rows[-1] + 1) * side)
     wide, tall = (high[0] - low[0]) * scene.scale, (high[1] - low[1]) * scene.scale
-    below = len(scene.layers) > 1 or wide > 420
+    below = len(scene.layers) > 1 or wide > 560
     canvas = Canvas(760, tall + (125 if below else 75), verdict)
     for k, z in enumerate(scene.layers):
         plane = Plane(canvas, (16 + k * (wide + 16), 30), low, high, scene.scale)
@@ -190,8 +190,8 @@ def lost(printed: Callable[..., str], scene: LostScene, say: Say) -> Canvas:
         canvas.text(plane.x(-4.5), plane.y(1.5), "(unsigned)(x / d) = 0", 14)
     if below:
         legend(canvas, 16, tall + 46, say, True)
-        canvas.text(16, tall + 98, verdict, 14, LOST, "start", True)
+        canvas.text(16, tall + 98, verdict, 16, LOST, "start", True)
     else:
         legend(canvas, wide + 40, 40, say, False)
-        canvas.text(16, tall + 58, verdict, 14, LOST, "start", True)
+        canvas.text(16, tall + 60, verdict, 16, LOST, "start", True)
     return canvas

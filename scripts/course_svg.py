@@ -88,10 +88,10 @@ class Plane:
         return self.at[1] + (self.high[1] - y) * self.scale
 
     def cell(self, i: int, j: int, side: float, fill: str, edge: str = PALE) -> None:
-        self.canvas.box(
-            self.x(i * side), self.y((j + 1) * side), side * self.scale, side * self.scale,
-            fill, edge,
-        )  # fmt: skip
+        """A cell, cut off where the plane ends."""
+        left, top = self.x(i * side), max(self.y((j + 1) * side), self.at[1])
+        right = min(self.x((i + 1) * side), self.x(self.high[0]))
+        self.canvas.box(left, top, right - left, self.y(j * side) - top, fill, edge)
 
     def grid(self, side: float, columns: range, rows: range) -> None:
         for i in columns:

@@ -61,40 +61,46 @@ def fills(cell_ids: list[int]) -> list[str]:
     return [CELL_COLOURS[i] for i in cell_ids]
 
 
+def balls_alone(program: Program, say: Say) -> Canvas:
+    """The scene of the chapters, before anything is known."""
+    canvas = Canvas(760, 400, say("Four balls: which pairs overlap?", "四个球：哪些球对重叠？"))
+    plane = Plane(canvas, (150, 15), (-1.3, -1.3), (7, 5.6), 54)
+    for i, (x, y, _, r) in enumerate(program.trace(*FOUR)["spheres"]):
+        plane.ball(x, y, r, i)
+    return canvas
+
+
 def four_balls(program: Program, say: Say) -> Canvas:
-    """The scene of the chapters, and the cells of ball 1."""
+    """The same, with the cells of ball 1."""
     run = program.trace(*FOUR)
     canvas = Canvas(
-        760, 470, say("Four balls and the cells of ball 1", "四个球，以及球 1 的单元格")
+        760, 400, say("Four balls and the cells of ball 1", "四个球，以及球 1 的单元格")
     )
-    plane = Plane(canvas, (40, 30), (-1.3, -1.3), (8, 8), 44)
+    plane = Plane(canvas, (15, 15), (-1.3, -1.3), (7, 5.6), 54)
     plane.grid(4, range(2), range(2))
-    words = zip(run["stages"]["cell_ids"]["cell_ids"], run["stages"]["cell_ids"]["objects"],
-                strict=True)  # fmt: skip
-    for cell, word in words:
+    entries = run["stages"]["cell_ids"]
+    for cell, word in zip(entries["cell_ids"], entries["objects"], strict=True):
         if word & ID_BITS == 1:
             fill = PHANTOM if word & PHANTOM_BIT else "#66aad7"
             plane.cell(cell % 2, cell // 2, 4, fill, GREY)
-    for cell in range(4):
-        canvas.text(plane.x(cell % 2 * 4 + 3.85), plane.y(cell // 2 * 4 + 0.2),
-                    say(f"cell {cell}", f"单元格 {cell}"), 13, anchor="end")  # fmt: skip
+    for cell, x in enumerate((3.85, 6.85) * 2):
+        canvas.text(plane.x(x), plane.y(cell // 2 * 4 + 0.2),
+                    say(f"cell {cell}", f"单元格 {cell}"), 14, anchor="end")  # fmt: skip
     for i, j in run["pairs"]:
         plane.join(run["spheres"][i], run["spheres"][j], FINE)
     for i, (x, y, _, r) in enumerate(run["spheres"]):
         plane.ball(x, y, r, i)
+    pairs = " ".join(f"({i}, {j})" for i, j in run["pairs"])
     key = [
         ("#66aad7", say("home of ball 1: its centre is here", "球 1 的主单元格：球心在此")),
-        (PHANTOM, say("phantoms of ball 1: its box reaches here", "球 1 的幻影单元格：包围盒触及")),
-        (
-            FINE,
-            say("pairs that overlap: (1, 2), (1, 3), (2, 3)", "重叠的球对：(1, 2)、(1, 3)、(2, 3)"),
-        ),
+        (PHANTOM, say("phantoms: its box reaches here", "球 1 的幻影单元格：包围盒触及")),
+        (FINE, say(f"overlap: {pairs}", f"重叠：{pairs}")),
     ]
-    for k, (colour, words_) in enumerate(key):
-        canvas.box(470, 40 + 34 * k, 18, 18, colour, GREY)
-        canvas.text(496, 54 + 34 * k, words_, 13, anchor="start")
-    words = say("side 4, the grid begins at (0, 0)", "边长 4，网格始于 (0, 0)")
-    canvas.text(470, 170, words, 13, GREY, "start")
+    for k, (colour, words) in enumerate(key):
+        canvas.box(480, 40 + 38 * k, 18, 18, colour, GREY)
+        canvas.text(506, 54 + 38 * k, words, 15, anchor="start")
+    words = say("side 4; the grid begins at (0, 0)", "边长 4；网格始于 (0, 0)")
+    canvas.text(480, 180, words, 15, GREY, "start")
     return canvas
 
 
@@ -225,6 +231,7 @@ def phantom_first(program: Program, say: Say) -> Canvas:
 
 def pictures(program: Program) -> dict[str, Callable[[Say], Canvas]]:
     own = {
+        "balls_alone": balls_alone,
         "four_balls": four_balls,
         "sort_pass": sort_pass,
         "cell_index": cell_index,

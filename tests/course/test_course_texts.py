@@ -67,7 +67,7 @@ def test_chinese_leads_to_chinese(path: Path) -> None:
     english_links, chinese_links = led_to(path, chinese.name), led_to(chinese, path.name)
     wanted = []
     for link in map(Path, english_links):
-        own = link.suffix in {".md", ".svg"} and chinese_of(path.parent / link).exists()
+        own = link.suffix in {".md", ".svg", ".html"} and chinese_of(path.parent / link).exists()
         wanted.append(str(link.with_name(chinese_of(link).name) if own else link))
     assert [str(Path(link)) for link in chinese_links] == wanted
 
