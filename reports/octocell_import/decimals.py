@@ -5,8 +5,6 @@ By way of float64 a decimal is rounded twice, which goes wrong when the first ro
 between two float32. Those decimals, and results below the normal numbers, are rounded exactly.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from decimal import Context, Decimal

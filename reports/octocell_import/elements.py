@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Elements: their symbols, their van der Waals radii, and which one an atom's name means."""
 
-from __future__ import annotations
-
 import re
 from functools import cache
 

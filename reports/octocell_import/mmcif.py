@@ -59,6 +59,8 @@ def _read_loop(file: File, line: bytes, is_loop: bool) -> dict[str, Column]:
     while line and (line.strip().lower().startswith(_PREFIX) or _EMPTY.match(line)):
         tags.append(line)
         line = file.line()
+    if is_loop and line.lstrip().startswith(b"_"):
+        file.refuse(f"{quote(line.split()[0])} in the loop of _atom_site")
     file.give_back([line] * bool(line))
     head = b"data_x\n" + b"loop_\n" * is_loop + b"".join(tags)
     while more := file.some(size):
