@@ -11,6 +11,7 @@
 #include "harness/cli/commands.hpp"
 #include "harness/files/json_text.hpp"
 #include "harness/try/library_runner.hpp"
+#include "harness/try/protocol.hpp"
 #include "harness/try/try.hpp"
 
 namespace octocell::cli {
@@ -18,6 +19,7 @@ namespace {
 
 struct Options {
   hand_in::Options trial;
+  std::string stage;
   bool json = false;
 };
 
@@ -28,10 +30,21 @@ void require_positive(std::string_view option, double value) {
 
 int exit_code_of(const hand_in::Trial& trial) {
   if (trial.verdict == "exact") return 0;
-  return trial.wrong ? kExitWrongAnswer : kExitBadInput;
+  return trial.is_wrong() ? kExitWrongAnswer : kExitBadInput;
 }
 
-int try_file(const Options& options) {
+void choose_stage(Options& options) {
+  if (options.stage.empty()) return;
+  const auto stage = hand_in::function_named(options.stage);
+  if (!stage || *stage == hand_in::Function::find_pairs) {
+    throw InputError(fmt::format("--stage {}: expected cell_ids, sort, cell_index or pair_tests",
+                                 quote(options.stage)));
+  }
+  options.trial.function = *stage;
+}
+
+int try_file(Options options) {
+  choose_stage(options);
   require_positive("--budget", options.trial.budget_s);
   require_positive("--timeout", options.trial.timeout_s);
   require_positive("--memory", options.trial.memory_gib);
@@ -54,6 +67,10 @@ void add_try(CLI::App& sub, Command& command) {
   sub.add_option("FILE", trial.file,
                  "find_pairs in C++ (.cpp), CUDA (.cu), a shared library (.so) or Python (.py)")
       ->required();
+  sub.add_option(
+      "--stage", o->stage,
+      "Only this stage is in the file, the others are ours: cell_ids, sort, cell_index or "
+      "pair_tests");
   sub.add_option("--budget", trial.budget_s, "Seconds after which no larger scene begins (20)");
   sub.add_option("--timeout", trial.timeout_s, "Seconds for one scene (10)");
   sub.add_option("--memory", trial.memory_gib, "GiB of resident memory for its process (4)");
@@ -64,11 +81,18 @@ void add_try(CLI::App& sub, Command& command) {
 }
 
 void add_run_hand_in(CLI::App& sub, Command& command) {
-  auto library = std::make_shared<std::string>();
+  struct Arguments {
+    std::string library;
+    std::string function;
+  };
+  auto o = std::make_shared<Arguments>();
   sub.group("");  // for `try` alone: it speaks the protocol of harness/try
-  sub.add_option("LIBRARY", *library)->required();
+  sub.add_option("LIBRARY", o->library)->required();
+  sub.add_option("FUNCTION", o->function)
+      ->required()
+      ->check(CLI::IsMember(hand_in::kFunctionNames));
   sub.callback(
-      [&command, library] { command = [library] { return hand_in::run_library(*library); }; });
+      [&command, o] { command = [o] { return hand_in::run_library(o->library, o->function); }; });
 }
 
 }  // namespace octocell::cli

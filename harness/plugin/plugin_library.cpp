@@ -4,43 +4,34 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "core/error.hpp"
 
 namespace octocell {
-namespace {
-
-constexpr std::size_t kRedZone = 1024;
-constexpr octocell_pair kUnwritten = {0xfffffff1U, 0xfffffff2U};
-
-template <typename Function>
-Function* function(void* library, const char* name) {
-  return reinterpret_cast<Function*>(dlsym(library, name));
+SharedLibrary::SharedLibrary(const std::string& path)
+    : library_(dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) {
+  if (library_ == nullptr) throw InputError(dlerror());
 }
 
-void require_success(std::string_view name, int code) {
-  if (code != 0) throw LimitError(fmt::format("{} returned {}", name, code));
+void* SharedLibrary::symbol(const char* name) const { return dlsym(library_, name); }
+
+void require_success(std::string_view function, int code) {
+  if (code != 0) throw LimitError(fmt::format("{} returned {}", function, code));
 }
 
-}  // namespace
-
-PairRoom::PairRoom(std::uint64_t capacity)
-    : capacity_(capacity), pairs_(capacity + kRedZone, kUnwritten) {}
-
-bool PairRoom::is_overrun() const {
-  return std::any_of(pairs_.begin() + static_cast<std::ptrdiff_t>(capacity_), pairs_.end(),
-                     [](octocell_pair p) { return p.i != kUnwritten.i || p.j != kUnwritten.j; });
+void refuse_overrun(std::string_view list, std::string_view where, std::uint64_t capacity) {
+  throw LimitError(fmt::format("it wrote {} of {}, which has room for {}", where, list, capacity));
 }
 
 PluginLibrary::PluginLibrary(const std::string& path) {
-  void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) throw InputError(dlerror());
-  find_ = function<decltype(find_pairs)>(library, "find_pairs");
-  prepare_ = function<decltype(::prepare)>(library, "prepare");
-  finish_ = function<decltype(::finish)>(library, "finish");
+  const SharedLibrary library(path);
+  find_ = library.function<decltype(find_pairs)>("find_pairs");
+  prepare_ = library.function<decltype(::prepare)>("prepare");
+  finish_ = library.function<decltype(::finish)>("finish");
   if (find_ == nullptr) {
     throw InputError(
         "it has no function find_pairs; in C++, extern \"C\" keeps its name, and octocell_plugin.h "
@@ -59,10 +50,7 @@ std::uint64_t PluginLibrary::find(std::span<const Sphere> spheres, PairRoom& roo
   const int code = find_(first, static_cast<std::uint32_t>(spheres.size()), room.data(),
                          room.capacity(), &count, nullptr);
   require_success("find_pairs", code);
-  if (room.is_overrun()) {
-    throw LimitError(
-        fmt::format("it wrote behind the end of pairs, which has room for {}", room.capacity()));
-  }
+  require_red_zones(room, "pairs");
   return count;
 }
 

@@ -6,28 +6,41 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include "core/sphere.hpp"
+#include "harness/plugin/room.hpp"
 #include "include/octocell/octocell_plugin.h"
 
 namespace octocell {
 
-/// Room for pairs, and a red zone behind it that must not change.
-class PairRoom {
+using PairRoom = Room<octocell_pair>;
+
+/// Loads a shared library, which stays loaded. Throws InputError if it cannot be loaded.
+class SharedLibrary {
  public:
-  explicit PairRoom(std::uint64_t capacity = 0);
-  [[nodiscard]] octocell_pair* data() { return pairs_.data(); }
-  [[nodiscard]] std::uint64_t capacity() const { return capacity_; }
-  [[nodiscard]] bool is_overrun() const;
-  [[nodiscard]] std::span<const octocell_pair> first(std::uint64_t count) const {
-    return std::span(pairs_).first(count);
+  explicit SharedLibrary(const std::string& path);
+  /// Returns the function of that name; null if there is none.
+  template <typename Function>
+  [[nodiscard]] Function* function(const char* name) const {
+    return reinterpret_cast<Function*>(symbol(name));
   }
 
  private:
-  std::uint64_t capacity_;
-  std::vector<octocell_pair> pairs_;
+  [[nodiscard]] void* symbol(const char* name) const;
+  void* library_;
 };
+
+[[noreturn]] void refuse_overrun(std::string_view list, std::string_view where,
+                                 std::uint64_t capacity);
+/// Throws LimitError for a code that is not 0.
+void require_success(std::string_view function, int code);
+/// Throws LimitError if a red zone was written. `list` is how the header names the memory.
+template <typename T>
+void require_red_zones(const Room<T>& room, std::string_view list) {
+  if (room.is_overrun()) refuse_overrun(list, "behind the end", room.capacity());
+  if (room.is_underrun()) refuse_overrun(list, "before the beginning", room.capacity());
+}
 
 class PluginLibrary {
  public:
@@ -39,7 +52,7 @@ class PluginLibrary {
   /// library has no such function. Throw LimitError if it reports a failure.
   void prepare(std::size_t spheres) const;
   /// Returns the number of pairs. If that is above the room's capacity, the room was too small.
-  /// Throws LimitError also for a write behind the room's end.
+  /// Throws LimitError also for a write around the room.
   std::uint64_t find(std::span<const Sphere> spheres, PairRoom& room) const;
   void finish() const;
 

@@ -71,10 +71,6 @@ Pipe make_pipe() {
   _exit(kCannotStart);
 }
 
-std::span<const std::byte> bytes_of(const Question& question) {
-  return std::as_bytes(std::span(&question, 1));
-}
-
 }  // namespace
 
 Child::Child(const std::vector<std::string>& command, const Limits& limits) : limits_(limits) {
@@ -111,18 +107,19 @@ void Child::start(const std::vector<std::string>& command) {
   for (const int ours : {questions_, output_}) fcntl(ours, F_SETFL, O_NONBLOCK);
 }
 
-std::vector<ListedPair> Child::ask(std::span<const Sphere> spheres, std::uint64_t capacity,
-                                   std::uint64_t most_pairs, std::chrono::duration<double> limit) {
+Outputs Child::ask(Question question, const Inputs& arrays, std::uint64_t most_bytes,
+                   std::chrono::duration<double> limit) {
   limit_ = limit;
   deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
+  for (std::size_t k = 0; k < arrays.size(); ++k) question.bytes[k] = arrays[k].size();
   return with_printed([&] {
-    write_whole(bytes_of({spheres.size(), capacity, most_pairs}));
-    write_whole(std::as_bytes(spheres));
-    return receive(most_pairs, deadline_ - Clock::now());
+    write_whole(std::as_bytes(std::span(&question, 1)));
+    for (const std::span<const std::byte> array : arrays) write_whole(array);
+    return receive(most_bytes, deadline_ - Clock::now());
   });
 }
 
-std::vector<ListedPair> Child::with_printed(const std::function<std::vector<ListedPair>()>& talk) {
+Outputs Child::with_printed(const std::function<Outputs()>& talk) {
   try {
     return talk();
   } catch (CannotJudge& failure) {
@@ -132,8 +129,7 @@ std::vector<ListedPair> Child::with_printed(const std::function<std::vector<List
   }
 }
 
-std::vector<ListedPair> Child::receive(std::uint64_t most_pairs,
-                                       std::chrono::duration<double> limit) {
+Outputs Child::receive(std::uint64_t most_bytes, std::chrono::duration<double> limit) {
   if (limit_ < limit) limit_ = limit;
   deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
   Answer answer = {};
@@ -143,13 +139,16 @@ std::vector<ListedPair> Child::receive(std::uint64_t most_pairs,
   std::string text(answer.text_bytes, ' ');
   read_whole(std::as_writable_bytes(std::span(text)));
   if (answer.ending == Ending::failed) throw CannotJudge("fails", printable(text));
-  if (answer.pairs > most_pairs) {
-    throw CannotJudge("prints too much", fmt::format("it gives {} pairs; at most {} are read",
-                                                     answer.pairs, most_pairs));
+  Outputs outputs;
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    if (answer.bytes[k] > most_bytes) {
+      throw CannotJudge("prints too much", fmt::format("it gives {} bytes; at most {} are read",
+                                                       answer.bytes[k], most_bytes));
+    }
+    outputs[k].resize(answer.bytes[k]);
+    read_whole(outputs[k]);
   }
-  std::vector<ListedPair> pairs(answer.pairs);
-  read_whole(std::as_writable_bytes(std::span(pairs)));
-  return pairs;
+  return outputs;
 }
 
 void Child::read_whole(std::span<std::byte> bytes) {

@@ -4,6 +4,7 @@
 
 #include <sys/types.h>
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -15,8 +16,6 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/sphere.hpp"
-#include "harness/files/load_pairs.hpp"
 #include "harness/try/protocol.hpp"
 
 namespace octocell::hand_in {
@@ -34,6 +33,10 @@ struct Limits {
   std::uint64_t printed_bytes = std::uint64_t{16} << 20;
 };
 
+using Bytes = std::vector<std::byte>;
+using Inputs = std::vector<std::span<const std::byte>>;
+using Outputs = std::array<Bytes, kMostOutputs>;
+
 class Child {
  public:
   /// Starts the program and waits until it is ready. Throws CannotJudge; LimitError if no process
@@ -43,17 +46,19 @@ class Child {
   Child& operator=(const Child&) = delete;
   ~Child();
 
-  /// Throws CannotJudge if there is no proper answer in time. Then nothing more can be asked.
-  std::vector<ListedPair> ask(std::span<const Sphere> spheres, std::uint64_t capacity,
-                              std::uint64_t most_pairs, std::chrono::duration<double> limit);
+  /// Asks about the arrays, whose sizes go into the question. An answer of more than `most_bytes`
+  /// is refused. Throws CannotJudge if there is no proper answer in time. Then nothing more can be
+  /// asked.
+  Outputs ask(Question question, const Inputs& arrays, std::uint64_t most_bytes,
+              std::chrono::duration<double> limit);
 
  private:
   using Clock = std::chrono::steady_clock;
 
   void start(const std::vector<std::string>& command);
   /// Calls `talk`; if that fails, adds what was printed.
-  std::vector<ListedPair> with_printed(const std::function<std::vector<ListedPair>()>& talk);
-  std::vector<ListedPair> receive(std::uint64_t most_pairs, std::chrono::duration<double> limit);
+  Outputs with_printed(const std::function<Outputs()>& talk);
+  Outputs receive(std::uint64_t most_bytes, std::chrono::duration<double> limit);
   void read_whole(std::span<std::byte> bytes);
   void write_whole(std::span<const std::byte> bytes);
   /// Waits until `fd` is ready for `events`; meanwhile reads what is printed and watches the

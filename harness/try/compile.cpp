@@ -108,14 +108,15 @@ TemporaryFolder::~TemporaryFolder() {
   fs::remove_all(path_, ignored);
 }
 
-Program prepare_program(const std::string& file, const std::string& python,
+Program prepare_program(const std::string& file, Function function, const std::string& python,
                         const TemporaryFolder& folder) {
   std::error_code error;
   if (!fs::is_regular_file(file, error))
     throw InputError(fmt::format("{}: no such file", printable(file)));
   const std::string path = fs::absolute(file).string();
   const std::string suffix = lower_case(fs::path(file).extension().string());
-  if (suffix == ".py") return {{}, {python, "-c", kPythonRunner, path}};
+  if (suffix == ".py")
+    return {{}, {python, "-c", kPythonRunner, path, std::string(name_of(function))}};
   Program program;
   std::string library = path;
   if (suffix == ".cpp" || suffix == ".cu") {
@@ -125,7 +126,7 @@ Program prepare_program(const std::string& file, const std::string& python,
   } else if (suffix != ".so") {
     throw InputError(fmt::format("{}: expected .cpp, .cu, .so or .py", printable(file)));
   }
-  program.command = {this_program(), "run-hand-in", library};
+  program.command = {this_program(), "run-hand-in", library, std::string(name_of(function))};
   return program;
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "harness/try/protocol.hpp"
+
 namespace octocell::hand_in {
 
 /// A folder that is removed at the end.
@@ -28,9 +30,10 @@ struct Program {
 };
 
 /// Compiles the file if its suffix (.cpp, .cu) asks for that; .so and .py are taken as they are.
-/// `python` is the interpreter. Throws InputError for a file that is not there or has another
-/// suffix, and CannotJudge if it does not compile or there is no compiler.
-Program prepare_program(const std::string& file, const std::string& python,
+/// The program defines `function`; `python` is the interpreter. Throws InputError for a file that
+/// is not there or has another suffix, and CannotJudge if it does not compile or there is no
+/// compiler.
+Program prepare_program(const std::string& file, Function function, const std::string& python,
                         const TemporaryFolder& folder);
 
 }  // namespace octocell::hand_in

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The process of a hand-in in Python: answers questions until there are no more (protocol.hpp).
 
-python3 -c "$(cat python_runner.py)" FILE
+python3 -c "$(cat python_runner.py)" FILE FUNCTION
 """
 
 import importlib.util
@@ -10,63 +10,106 @@ import struct
 import sys
 import traceback
 
-PAIRS, FAILED = 0, 1
+ARRAYS, FAILED = 0, 1
+FUNCTION = sys.argv[2]
 questions = os.fdopen(3, "rb")
 answers = os.fdopen(4, "wb")
 
 
-def answer(ending, text, pairs, data=b""):
+def answer(ending, text="", arrays=()):
     raw = text.encode()[:4096]
-    answers.write(struct.pack("<IIQ", ending, len(raw), pairs) + raw)
-    answers.write(data)
+    data = [array.tobytes() for array in arrays] + [b""] * (2 - len(arrays))
+    answers.write(struct.pack("<IIQQ", ending, len(raw), *map(len, data)) + raw)
+    for part in data:
+        answers.write(part)
     answers.flush()
 
 
 def fail(text):
-    answer(FAILED, text, 0)
+    answer(FAILED, text)
     os._exit(0)
 
 
 def load(path):
-    """The hand-in's find_pairs."""
+    """The hand-in's function."""
     sys.path.insert(0, os.path.dirname(os.path.abspath(path)))
     spec = importlib.util.spec_from_file_location("hand_in", path)
     module = importlib.util.module_from_spec(spec)
     sys.modules["hand_in"] = module
     spec.loader.exec_module(module)
-    if not callable(getattr(module, "find_pairs", None)):
-        fail("it defines no function find_pairs(spheres)")
-    return module.find_pairs
+    if not callable(getattr(module, FUNCTION, None)):
+        fail(f"it defines no function {FUNCTION}({', '.join(PARAMETERS[FUNCTION])})")
+    return getattr(module, FUNCTION)
 
 
-def on_the_host(found):
+def on_the_host(found, width, type_):
     """A NumPy array of what was returned: also arrays of CuPy, Torch, Warp, and lists of tuples."""
     for name in ("cpu", "get", "numpy"):
         if not isinstance(found, numpy.ndarray) and callable(getattr(found, name, None)):
             found = getattr(found, name)()
     array = numpy.asarray(found)
     if array.size == 0:
-        return numpy.empty((0, 2), numpy.int64)
-    if array.ndim != 2 or array.shape[1] != 2:
-        fail(f"find_pairs returned shape {array.shape}, expected (M, 2)")
+        return numpy.empty(0, type_)
+    if array.ndim != (1 if width == 1 else 2) or (width > 1 and array.shape[1] != width):
+        expected = "(M,)" if width == 1 else f"(M, {width})"
+        fail(f"{FUNCTION} returned shape {array.shape}, expected {expected}")
     if array.dtype.kind not in "iu":
-        fail(f"find_pairs returned numbers of type {array.dtype}, expected integers")
-    return array
+        fail(f"{FUNCTION} returned numbers of type {array.dtype}, expected integers")
+    return array.astype(type_)  # an id of 2^63 and more becomes a negative one: out of range, too
 
 
-def answer_all(find_pairs):
-    answer(PAIRS, "", 0)
-    while head := questions.read(24):
-        n, _, most = struct.unpack("<QQQ", head)
-        rows = numpy.frombuffer(questions.read(16 * n), numpy.float32).reshape(n, 4)
-        spheres = rows.copy()
-        found = on_the_host(find_pairs(spheres))
-        if not numpy.array_equal(spheres, rows):
-            fail("it changed the spheres")
-        if len(found) > most:
-            fail(f"it gives {len(found)} pairs; at most {most} are read")
-        # An id of 2^63 and more becomes a negative one: out of range, too.
-        answer(PAIRS, "", len(found), found.astype(numpy.int64).tobytes())
+def outputs_of(found):
+    if FUNCTION in ("cell_ids", "sort"):
+        if not isinstance(found, tuple | list) or len(found) != 2:
+            fail(f"{FUNCTION} returned no ids, objects")
+        return [on_the_host(array, 1, numpy.uint32) for array in found]
+    if FUNCTION == "cell_index":
+        return [on_the_host(found, 3, numpy.uint32)]
+    return [on_the_host(found, 2, numpy.int64)]
+
+
+class Grid:
+    """corner: three floats; side: a float; cells: three whole numbers (octocell_stage.h)."""
+
+    def __init__(self, raw):
+        *corner, self.side, x, y, z = struct.unpack("<4d3I4x", raw)
+        self.corner, self.cells = tuple(corner), (x, y, z)
+
+
+def array_of(dtype, *shape):
+    return lambda raw: numpy.frombuffer(raw, dtype).reshape(-1, *shape).copy()
+
+
+# What each function takes, and how the bytes of a question become that.
+SPHERES = {"spheres": array_of("<f4", 4)}
+ENTRIES = {"ids": array_of("<u4"), "objects": array_of("<u4")}
+PARAMETERS = {
+    "find_pairs": SPHERES,
+    "cell_ids": {**SPHERES, "grid": Grid},
+    "sort": {**ENTRIES, "key_bits": None},
+    "cell_index": ENTRIES,
+    "pair_tests": {**SPHERES, **ENTRIES, "cells": array_of("<u4", 3)},
+}
+
+
+def answer_all(function):
+    answer(ARRAYS)
+    while head := questions.read(56):
+        _, most, key_bits, *sizes = struct.unpack("<7Q", head)
+        raw = [questions.read(size) for size in sizes]
+        takes = PARAMETERS[FUNCTION].values()
+        given = [take(part) if take else key_bits for take, part in zip(takes, raw, strict=False)]
+        outputs = outputs_of(function(*given))
+        for value, part in zip(given, raw, strict=False):
+            if isinstance(value, numpy.ndarray) and value.tobytes() != part:
+                fail(
+                    "it changed the spheres" if FUNCTION == "find_pairs" else "it changed its input"
+                )
+        entries = len(outputs[0])
+        if entries > most:
+            what = "pairs" if FUNCTION in ("find_pairs", "pair_tests") else "entries"
+            fail(f"it gives {entries} {what}; at most {most} are read")
+        answer(ARRAYS, arrays=outputs)
 
 
 try:

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace octocell::hand_in {
 
 std::vector<TrialScene> trial_scenes(std::size_t seed) {
@@ -38,6 +40,20 @@ std::vector<TrialScene> trial_scenes(std::size_t seed) {
       all.back().is_larger = true;
     }
   }
+  return all;
+}
+
+std::vector<TrialScene> random_key_scenes(std::size_t seed) {
+  std::vector<TrialScene> all;
+  const auto add = [&](std::size_t count, std::uint32_t bits) {
+    TrialScene scene = {fmt::format("keys:n={},bits={},seed={}", count, bits, seed)};
+    scene.keys = {count, bits, seed};
+    all.push_back(std::move(scene));
+  };
+  for (const std::size_t count : {0U, 1U, 2U, 3U, 33U, 1000U}) add(count, 6);
+  for (const std::size_t count : {255U, 256U, 257U, 1023U, 1024U, 1025U}) add(count, 8);
+  for (const std::uint32_t bits : {0U, 1U, 9U, 17U, 31U, 32U}) add(5000, bits);
+  for (const std::size_t count : {65535U, 65536U, 65537U}) add(count, 20);
   return all;
 }
 

@@ -3,20 +3,33 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace octocell::hand_in {
 
+/// Random keys for a sort, without spheres.
+struct RandomKeys {
+  std::size_t count;
+  std::uint32_t bits;  // every key is below 2^bits
+  std::size_t seed;
+};
+
 struct TrialScene {
   std::string spec;              // of a generator; empty: the scene without spheres
   bool is_larger = false;        // one of those that are tried as long as there is time
   bool has_little_room = false;  // the list of pairs begins too small
+  std::optional<RandomKeys> keys = {};
 };
 
 /// Returns the sizes 0, 1, 2, 3, 33 and 1000, borders of tiles, and every kind of scene; then
 /// larger ones.
 std::vector<TrialScene> trial_scenes(std::size_t seed);
+
+/// Returns keys of several sizes and widths, from none to several blocks.
+std::vector<TrialScene> random_key_scenes(std::size_t seed);
 
 /// Returns scenes with so many pairs of different kinds that a flaw shows what it is.
 std::vector<std::string> telling_scenes(std::size_t seed);

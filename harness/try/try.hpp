@@ -11,11 +11,14 @@
 #include <vector>
 
 #include "harness/judge/judge.hpp"
+#include "harness/try/judge_stage.hpp"
+#include "harness/try/protocol.hpp"
 
 namespace octocell::hand_in {
 
 struct Options {
   std::string file;
+  Function function = Function::find_pairs;  // or a stage
   std::string python = "python3";
   double budget_s = 20.0;   // for larger scenes
   double timeout_s = 10.0;  // for one scene
@@ -24,14 +27,15 @@ struct Options {
 };
 
 struct TriedScene {
-  std::string spec;  // "no spheres", or of a generator
-  std::uint64_t spheres;
-  std::uint64_t pairs;
+  std::string spec;     // "no spheres", or of a generator
+  std::uint64_t n;      // spheres, or entries that a stage reads
+  std::uint64_t found;  // true pairs, or what else the function should write
   bool exact;
   double milliseconds;  // from the question to the whole answer; no benchmark
 };
 
 struct Trial {
+  Function function;
   std::string verdict;      // exact, wrong, cannot be judged
   std::string kind = {};    // why it cannot be judged: crashed, hangs, ...
   std::string reason = {};  // a line
@@ -40,8 +44,11 @@ struct Trial {
   std::vector<TriedScene> scenes = {};
   std::string at = {};                         // the scene at which it ended
   std::optional<judge::Judgement> wrong = {};  // of the last scene
+  std::optional<WrongEntry> wrong_entry = {};  // the same for a stage that writes no pairs
   std::optional<judge::Cause> cause = {};      // of that, or of a larger scene
   std::string cause_at = {};                   // which
+
+  [[nodiscard]] bool is_wrong() const { return wrong || wrong_entry; }
 };
 
 /// Never throws for what the hand-in does. Throws InputError for a file that cannot be one.

@@ -3,17 +3,15 @@
 
 from __future__ import annotations
 
-import json
 import os
 import shutil
 import subprocess
-import sys
 from pathlib import Path
-from typing import Any
 
 import pytest
 from hand_in_sources import BRUTE_FORCE
-from program import ROOT, Octocell, Refused, Result
+from program import ROOT, Octocell, Refused
+from trying import Try
 
 PLUGIN = ROOT / "include/octocell"
 
@@ -59,32 +57,6 @@ def find_pairs(spheres):
         found.append(np.column_stack([np.full_like(j, i), j]))
     return np.concatenate(found)
 """
-
-
-class Try:
-    def __init__(self, octocell: Octocell, folder: Path) -> None:
-        self.octocell, self.folder = octocell, folder
-
-    def run(self, text: str, *options: str, name: str = "mine.cpp") -> Result:
-        (self.folder / name).write_text(text, encoding="utf-8")
-        if "--budget" not in options:
-            options = ("--budget", "0.01", *options)
-        options = ("--python", sys.executable, *options)
-        return self.octocell.run("try", self.folder / name, *options, timeout=300)
-
-    def __call__(self, text: str, *options: str, name: str = "mine.cpp") -> dict[str, Any]:
-        result = self.run(text, "--json", *options, name=name)
-        assert result.stderr == ""
-        answer: dict[str, Any] = json.loads(result.stdout)
-        expected = {"exact": 0, "wrong": 1, "cannot be judged": 2}[answer["verdict"]]
-        assert result.rc == expected
-        return answer
-
-    def ending(self, text: str, *options: str, name: str = "mine.cpp") -> str:
-        """Why it cannot be judged."""
-        answer = self(text, *options, name=name)
-        assert answer["verdict"] == "cannot be judged", answer
-        return f"{answer['kind']}: {answer['reason']}"
 
 
 @pytest.fixture(name="attempt")

@@ -19,7 +19,8 @@ HEADERS = {
     " ranges::adjacent_find ranges::all_of ranges::any_of ranges::binary_search"
     " ranges::copy ranges::count"
     " ranges::count_if ranges::equal ranges::fill ranges::find ranges::find_if"
-    " ranges::lower_bound ranges::max ranges::max_element ranges::minmax_element ranges::none_of"
+    " ranges::is_sorted ranges::lower_bound ranges::max ranges::max_element ranges::minmax_element"
+    " ranges::mismatch ranges::none_of"
     " ranges::replace ranges::reverse ranges::set_difference ranges::set_intersection ranges::sort"
     " ranges::stable_partition ranges::stable_sort ranges::unique ranges::upper_bound",
     "array": "array",
@@ -35,7 +36,7 @@ HEADERS = {
     "cstdint": "int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t",
     "cstdio": "ferror fflush fprintf fputs printf rename sscanf",
     "cstdlib": "abort aligned_alloc atexit exit free getenv realloc strtof strtoull",
-    "cstring": "memcmp memcpy strerror strlen",
+    "cstring": "memcmp memcpy memset strerror strlen",
     "deque": "deque",
     "exception": "current_exception exception exception_ptr rethrow_exception set_terminate",
     "experimental/simd": "experimental",

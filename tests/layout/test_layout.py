@@ -58,8 +58,10 @@ MAY_INCLUDE: dict[str, tuple[str, ...]] = {
         "harness/scenes/",
         "harness/files/",
         "harness/plugin/",
+        "harness/engine/",
         "harness/judge/",
         "harness/verify/reference/",
+        "include/",
     ),
     "harness/bench/": (
         "core/",
