@@ -13,7 +13,7 @@
 #include "core/buffer.hpp"
 #include "core/finder.hpp"
 #include "core/flags.hpp"
-#include "core/predicate.hpp"
+#include "core/overlap.hpp"
 
 namespace octocell::baselines {
 

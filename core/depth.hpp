@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "core/host_device.hpp"
+#include "core/overlap.hpp"
 #include "core/pair.hpp"
-#include "core/predicate.hpp"
 #include "core/sphere.hpp"
 
 namespace octocell {

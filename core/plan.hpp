@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "core/grid.hpp"
-#include "core/pair_test.hpp"
+#include "core/precision.hpp"
 #include "core/skips.hpp"
 
 namespace octocell {

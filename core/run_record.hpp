@@ -12,8 +12,8 @@
 #include "core/half_shell.hpp"
 #include "core/host_device.hpp"
 #include "core/object_word.hpp"
+#include "core/overlap.hpp"
 #include "core/pair.hpp"
-#include "core/predicate.hpp"
 
 namespace octocell {
 

@@ -10,7 +10,7 @@
 #include <immintrin.h>
 #endif
 
-#include "core/pair_test.hpp"
+#include "core/precision.hpp"
 #include "core/simd.hpp"
 
 namespace octocell::cpu {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "core/pair_test.hpp"
+#include "core/precision.hpp"
 #include "impl_cuda_custom/device.cuh"
 
 namespace octocell::cuda_custom {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/overlap.hpp"
 #include "core/pair.hpp"
-#include "core/predicate.hpp"
 
 namespace octocell::on_thrust {
 

@@ -3,7 +3,7 @@
 // is simpler than a kernel for each test.
 #pragma once
 
-#include "core/pair_test.hpp"
+#include "core/precision.hpp"
 
 namespace octocell::on_thrust {
 

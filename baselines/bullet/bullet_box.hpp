@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "core/predicate.hpp"
+#include "core/overlap.hpp"
 
 #ifdef BT_USE_DOUBLE_PRECISION
 #error "The packaged libBulletCollision is single precision; headers must agree with it."

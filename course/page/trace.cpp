@@ -7,8 +7,8 @@
 #include "core/as_written.hpp"
 #include "core/chapter32.hpp"
 #include "core/digit_plan.hpp"
+#include "core/overlap.hpp"
 #include "core/planner/planner.hpp"
-#include "core/predicate.hpp"
 
 namespace course {
 namespace {

@@ -2,7 +2,7 @@
 // Step 8: spheres compared as real numbers; the answer is exact.
 //
 // wins back  pairs that just touch, and loses those that just do not: float32 rounds both sides
-// why        core/predicate.hpp decides in float64 with an error bound, else in integers
+// why        core/overlap.hpp decides in float64 with an error bound, else in integers
 // cost       a few more operations a pair; octocell itself asks float32 first, with a bound
 //
 //   g++ -std=c++20 -O2 -ffp-contract=off -I ../.. 8_exact.cpp -o 8_exact
@@ -14,7 +14,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "core/predicate.hpp"
+#include "core/overlap.hpp"
 #include "read_and_print.hpp"
 
 struct Cell {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/predicate.hpp"
+#include "core/overlap.hpp"
 
 namespace octocell::trace {
 

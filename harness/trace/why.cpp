@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/flags.hpp"
-#include "core/predicate.hpp"
+#include "core/overlap.hpp"
 #include "harness/trace/exact_decimal.hpp"
 #include "harness/trace/why_rules.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "core/flags.hpp"
 #include "core/frame_mode.hpp"
-#include "core/predicate.hpp"
+#include "core/overlap.hpp"
 #include "core/same_bits.hpp"
 
 namespace octocell::cuda_custom::coherence {

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cmath>
 
-#include "core/predicate.hpp"
+#include "core/overlap.hpp"
 
 namespace octocell::fuzz {
 namespace {

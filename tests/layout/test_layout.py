@@ -272,7 +272,7 @@ def test_an_arrow_back_up_is_noticed() -> None:
 
 
 def test_the_reference_shares_no_formula_with_the_backends() -> None:
-    formulas = {f"core/{name}.hpp" for name in ("predicate", "depth", "grid", "chapter32", "flags")}
+    formulas = {f"core/{name}.hpp" for name in ("overlap", "depth", "grid", "chapter32", "flags")}
     for path in files(ROOT / "harness/verify/reference", CPP):
         assert not reached_from(path) & formulas, name_of(path)
 

@@ -39,7 +39,7 @@ EXIT_SURVIVED, EXIT_BAD_INPUT, EXIT_INTERRUPTED = 1, 2, 130
 
 # What is tried first for the faults of a file or folder; then all the rest, the quickest first.
 LIKELY = {
-    "core/predicate.hpp": ("test_predicate test_properties_margins test_properties_predicate"),
+    "core/overlap.hpp": ("test_overlap test_properties_margins test_properties_overlap"),
     "core/grid.hpp": "test_grid test_properties_grid",
     "core/flags.hpp": "test_flags",
     "core/same_bits.hpp": "test_coherence",

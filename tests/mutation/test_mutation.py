@@ -70,10 +70,10 @@ def test_two_faults_do_not_overlap() -> None:
 def test_a_copy_of_the_sources_has_all_faults_and_compiles(tmp_path: Path) -> None:
     """Planting again changes no file, and removes what is no longer in the sources."""
     plant.plant_all(tmp_path)
-    text = (tmp_path / "core/predicate.hpp").read_text(encoding="utf-8")
+    text = (tmp_path / "core/overlap.hpp").read_text(encoding="utf-8")
     assert "OCTOCELL_FAULT(filter_touching_apart, " in text
     done = subprocess.run(
-        ["g++", "-std=c++20", "-E", "-P", f"-I{tmp_path}", tmp_path / "core/predicate.hpp"],
+        ["g++", "-std=c++20", "-E", "-P", f"-I{tmp_path}", tmp_path / "core/overlap.hpp"],
         text=True, capture_output=True, check=True,
     )  # fmt: skip
     assert "faults::chosen" in done.stdout

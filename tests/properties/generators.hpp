@@ -13,7 +13,7 @@
 #include <ios>
 #include <ostream>
 
-#include "core/predicate.hpp"
+#include "core/overlap.hpp"
 #include "core/sphere.hpp"
 
 namespace octocell {

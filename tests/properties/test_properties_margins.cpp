@@ -10,7 +10,7 @@
 // needs the above
 #include <rapidcheck/gtest.h>
 
-#include "core/predicate.hpp"
+#include "core/overlap.hpp"
 #include "tests/properties/generators.hpp"
 
 namespace octocell {

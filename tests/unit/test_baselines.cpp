@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "baselines/baselines.hpp"
-#include "core/predicate.hpp"
+#include "core/overlap.hpp"
 
 namespace octocell {
 namespace {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/predicate.hpp"
+#include "core/overlap.hpp"
 #include "harness/files/validate.hpp"
 #include "harness/scenes/portable_math.hpp"
 #include "harness/scenes/scenes.hpp"

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "core/predicate.hpp"
+#include "core/overlap.hpp"
 #include "harness/verify/near_tangent/column_oracle.hpp"
 #include "harness/verify/near_tangent/families.hpp"
 

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/predicate.hpp"
+#include "core/overlap.hpp"
 #include "harness/scenes/portable_math.hpp"
 #include "harness/scenes/scenes.hpp"
 #include "harness/verify/stress/catalogue.hpp"

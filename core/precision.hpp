@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/overlap.hpp"
 #include "core/packed_sphere.hpp"
-#include "core/predicate.hpp"
 
 namespace octocell {
 

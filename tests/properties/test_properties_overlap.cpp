@@ -5,7 +5,7 @@
 // needs the above
 #include <rapidcheck/gtest.h>
 
-#include "core/predicate.hpp"
+#include "core/overlap.hpp"
 #include "tests/properties/generators.hpp"
 #include "tests/properties/oracle.hpp"
 

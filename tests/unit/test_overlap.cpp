@@ -9,7 +9,7 @@
 #include <iterator>
 #include <random>
 
-#include "core/predicate.hpp"
+#include "core/overlap.hpp"
 #include "harness/verify/reference/reference.hpp"
 
 namespace octocell {
