@@ -27,7 +27,7 @@ CUDA_IF_GPU = $(if $(wildcard /dev/nvidiactl)$(filter ON,$(OCTOCELL_CUDA)),$(OCT
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build user-build install build-tests test compilers fuzz mutants stress stress-full real bench bench-full bench-sort ablation error report readme traces steps pictures course-pictures sanitize cuda-toolkit bundle clean
+.PHONY: help setup configure build user-build install build-tests test compilers fuzz mutants stress stress-full real bench bench-full bench-sort ablation error report readme traces steps pictures course-pictures site sanitize cuda-toolkit bundle clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -125,6 +125,12 @@ steps: build ## Write the step page, reports/out/steps.html: the course's scenes
 	@mkdir -p reports/out
 	@$(BUILD)/octocell trace $(COURSE_SCENES) --rule as_written --html reports/out/steps.html
 	@echo "open reports/out/steps.html"
+
+site: ## Build the documents as a site that opens from disk: reports/out/site (installs MkDocs)
+	@test -x .venv-site/bin/mkdocs || { python3 -m venv .venv-site && \
+	  .venv-site/bin/python -m pip install --quiet --disable-pip-version-check -r scripts/site/requirements.txt; }
+	@.venv-site/bin/mkdocs build --strict -f scripts/site/mkdocs.yml
+	@echo "open reports/out/site/index.html"
 
 studies: setup ## Draw docs/ablation and docs/error from the published results
 	@scripts/draw_studies.sh
