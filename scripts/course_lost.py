@@ -103,9 +103,9 @@ def draw_layer(plane: Plane, scene: LostScene, balls: list[Ball], side: float, z
 
 def met(ball: Ball, side: float) -> list[Cell]:
     """The cells that the ball meets, as the text defines it."""
-    steps = product((-1, 0, 1), repeat=3)
-    near = [tuple(c + d for c, d in zip(ball.home, by, strict=True)) for by in steps]
-    return [cell for cell in near if meets(ball, cell, side)]  # type: ignore[arg-type, misc]
+    x, y, z = ball.home
+    near = [(x + i, y + j, z + k) for i, j, k in product((-1, 0, 1), repeat=3)]
+    return [cell for cell in near if meets(ball, cell, side)]
 
 
 def mark_dropped(plane: Plane, ball: Ball, scene: LostScene, side: float, z: int) -> None:

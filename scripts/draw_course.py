@@ -16,6 +16,7 @@ import re
 import subprocess
 import sys
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -238,12 +239,9 @@ def pictures(program: Program) -> dict[str, Callable[[Say], Canvas]]:
         "warp": warp,
         "phantom_first": phantom_first,
     }
-    all_: dict[str, Callable[[Say], Canvas]] = {
-        name: lambda say, draw=draw: draw(program, say)  # type: ignore[misc]
-        for name, draw in own.items()
-    }
+    all_ = {name: partial(draw, program) for name, draw in own.items()}
     for name, scene in LOST_SCENES.items():
-        all_[f"lost_{name}"] = lambda say, scene=scene: lost(program.printed, scene, say)  # type: ignore[misc]
+        all_[f"lost_{name}"] = partial(lost, program.printed, scene)
     return all_ | {"lsd": lsd, "look_back": look_back, "sort_ladder": ladder}
 
 

@@ -11,16 +11,12 @@ from pathlib import Path
 
 import pytest
 from program import ROOT, Octocell
-from test_documents import headings, links
+from test_documents import chinese_of, headings, in_chinese, links
 from test_layout import files, name_of
 
 PICTURES = ROOT / "course/pictures"
 CHINESE = ".zh-CN"
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
-
-
-def chinese_of(path: Path) -> Path:
-    return path.with_name(f"{path.stem}{CHINESE}{path.suffix}")
 
 
 # The READMEs have a test of their own (tests/layout/test_documents.py).
@@ -64,12 +60,8 @@ def led_to(path: Path, but: str) -> list[str]:
 @pytest.mark.parametrize("path", TEXTS, ids=name_of)
 def test_chinese_leads_to_chinese(path: Path) -> None:
     chinese = chinese_of(path)
-    english_links, chinese_links = led_to(path, chinese.name), led_to(chinese, path.name)
-    wanted = []
-    for link in map(Path, english_links):
-        own = link.suffix in {".md", ".svg", ".html"} and chinese_of(path.parent / link).exists()
-        wanted.append(str(link.with_name(chinese_of(link).name) if own else link))
-    assert [str(Path(link)) for link in chinese_links] == wanted
+    wanted = [in_chinese(path, link) for link in led_to(path, but=chinese.name)]
+    assert led_to(chinese, but=path.name) == wanted
 
 
 def rows(path: Path) -> list[list[str]]:
