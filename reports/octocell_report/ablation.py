@@ -5,8 +5,6 @@ A study is one backend on one scene: its planned row, the variants of that row, 
 can be forced. All were measured in the same rounds, so that ratios are taken within rounds.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

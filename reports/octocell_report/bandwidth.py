@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """How near a device's stages come to the speed at which its memory copies."""
 
-from __future__ import annotations
-
 import math
 
 import pandas as pd

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Captions with numbers in them; how to read a picture stands in texts.py alone."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from octocell_report import front, words

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The verdict: which rows are wrong that should not be."""
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple
 
 from octocell_report import words

@@ -5,8 +5,6 @@ A function is a command, and its docstring the help. Modules that draw are impor
 used: Matplotlib is slow to load.
 """
 
-from __future__ import annotations
-
 import argparse
 import math
 from argparse import Namespace

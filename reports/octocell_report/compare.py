@@ -9,8 +9,6 @@ With five rounds or fewer the interval is all but the range of the rounds, and w
 there is none: such rows are never called faster or slower.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

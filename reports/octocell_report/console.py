@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What a command says: lines that stay lines, and one of them in place of a traceback."""
 
-from __future__ import annotations
-
 import argparse
 import io
 import os

@@ -6,8 +6,6 @@ backend one configuration (method, rule, threads) stands for it on a scene: that
 predicates, of several the one whose exact row is fastest; so predicates differ and nothing else.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from functools import cached_property
 from pathlib import Path

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """A decoded JSON document as a type: an error says where, what is there, and the rule."""
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Iterator

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Input that is named when it cannot be read; output that is there whole or not at all."""
 
-from __future__ import annotations
-
 import gzip
 import json
 import os

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The tables as data frames, for the CSV files: plain numbers, nothing rounded."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from operator import attrgetter
 from pathlib import Path
@@ -12,7 +10,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from octocell_report import bandwidth, tables, words
+from octocell_report import bandwidth, page_tables, tables, words
 from octocell_report.load import DEVICE_RUNS, RUNS, Result
 from octocell_report.spread import Estimate
 
@@ -61,11 +59,7 @@ def all_frames(result: Result) -> dict[str, pd.DataFrame]:
     return {
         "slopes": slopes(result),
         "correctness": correctness(result),
-        "unavailable": pd.DataFrame(
-            {"scene": group.scene, "spec": group.spec, "reason": group.unavailable}
-            for group in result.groups
-            if group.unavailable is not None
-        ),
+        "unavailable": page_tables.unavailable(result),
         **{
             name: frame[_COLUMNS[name].split()].rename(columns=_CALLED)
             for name, frame in known.items()

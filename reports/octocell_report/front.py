@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The page's first numbers: time per sphere of our planned rows and of each library's fastest."""
 
-from __future__ import annotations
-
 import pandas as pd
 
 from octocell_report import words

@@ -21,8 +21,6 @@ Whole numbers that may be absent are of dtype Int64 (pd.NA where absent), other 
 (NaN), texts are objects (None).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Markdown: tables, and names that Markdown would read."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 

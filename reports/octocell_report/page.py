@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: MIT
 """One page with everything in it, in two languages: no network; images, style and script inside."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 import pandas as pd
 from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup
 
 from octocell_report import (
     captions,
@@ -23,7 +22,7 @@ from octocell_report import (
 )
 from octocell_report.error import Study
 from octocell_report.files import staged_folder
-from octocell_report.images import Picture
+from octocell_report.images import Gallery
 from octocell_report.load import Result
 from octocell_report.texts import TEXTS, how, say, title
 
@@ -44,7 +43,7 @@ SECTIONS = {
 
 class Block(NamedTuple):
     name: str  # of its title, and of how to read it, in texts.py
-    shown: Picture | pd.DataFrame
+    shown: Markup | pd.DataFrame  # a picture or a table
     in_sight: bool
 
 
@@ -96,13 +95,16 @@ def render(
         "ablation": captions.ablation(ablation) if ablation else [],
         "error": captions.error(error) if error else [],
     }
-    sections = {name: _blocks(name, folder, tables) for name in SECTIONS}
+    gallery = Gallery(folder)
+    shown = {**gallery.pictures, **tables}
+    sections = {name: _blocks(name, shown) for name in SECTIONS}
     return environment.get_template("page.html.j2").render(
         **{"say": say, "title": title, "how": how, "texts": TEXTS, "words": words},
         **{"cells": page_tables.cells, "heading": page_tables.heading},
         **{"headline": verdict.headline, "exact": verdict.passes},
         **{"context": result.context, "gpu": result.gpu, "commit": captions.commit(result)},
-        front=images.picture(folder / "front.png"),
+        front=gallery.pictures.get("front"),
+        pictures_style=gallery.style,
         run=say(f"run_{front.run_shown(result)}"),
         first_scene=captions.first_scene(result),
         best=tables.get("best"),
@@ -111,10 +113,10 @@ def render(
     )
 
 
-def _blocks(section: str, folder: Path, tables: dict[str, pd.DataFrame]) -> list[Block]:
-    found = []
-    for names, in_sight in zip(SECTIONS[section], (True, False), strict=True):
-        for name in names.split():
-            shown = tables.get(name, images.picture(folder / f"{name}.png"))
-            found += [] if shown is None else [Block(name, shown, in_sight)]
-    return found
+def _blocks(section: str, shown: dict[str, Markup | pd.DataFrame]) -> list[Block]:
+    return [
+        Block(name, shown[name], in_sight)
+        for names, in_sight in zip(SECTIONS[section], (True, False), strict=True)
+        for name in names.split()
+        if name in shown
+    ]

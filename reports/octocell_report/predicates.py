@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The overlap tests that rows may be run with, and how far off their wrong pairs are."""
 
-from __future__ import annotations
-
 EXACT = "exact"  # what users get; the others are run to be compared with it
 FLOAT32 = "f32"  # what is usually written
 

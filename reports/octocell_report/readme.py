@@ -8,8 +8,6 @@
 The first marker names what is read, by its path from the file's folder: a result, or a folder.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterator
 from functools import cache, partial

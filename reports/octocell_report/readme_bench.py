@@ -4,8 +4,6 @@
 Ratios are taken within interleaved rounds; where an interval is given, it holds 99 % (spread.py).
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 from statistics import median, mode
 from typing import Any

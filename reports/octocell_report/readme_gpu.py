@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Tables of a GPU: its runs beside other backends, its stages, its sorts."""
 
-from __future__ import annotations
-
 from statistics import median
 
 import pandas as pd

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The guarantee as tables: what was tried to break it, how much of it, and what broke."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from pandas import DataFrame, concat

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The tables of docs/how_to/import_files.md: readers, how long they take, and second opinions."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

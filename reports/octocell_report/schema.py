@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The JSON of `octocell bench` as types: what stands in it, and what must hold for each value."""
 
-from __future__ import annotations
-
 from statistics import median
 from typing import Annotated, NamedTuple
 

@@ -2,8 +2,6 @@
 """The sorts against each other, on the host and on the device: by number of pairs, by width of the
 key, and by the order that the pairs come in."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path

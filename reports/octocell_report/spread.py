@@ -3,8 +3,6 @@
 99 % of the medians so found are the interval (bootstrap, its random numbers fixed). With five
 rounds or fewer it is all but the range of the rounds; with fewer than three nothing is judged."""
 
-from __future__ import annotations
-
 from functools import cache
 from statistics import median
 from typing import NamedTuple

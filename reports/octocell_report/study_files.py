@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """An ablation, and run time against error, as files: figures, tables as CSV, all as Markdown."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -114,7 +112,7 @@ def of_error(study: Study) -> Files:
         "error",
         plots.ERROR_NAMES,
         plots.draw_error(study),
-        [*captions.origins(study.results), captions.claims(study)],
+        captions.error(study),
         {"error": points[_POINTS], "error_costs": study.costs, "error_rounding": study.rounding},
         {
             "costs": page_tables.english(page_tables.costs(study)),

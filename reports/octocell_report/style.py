@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """How things look: one colour per backend (Okabe and Ito), one marker per implementation."""
 
-from __future__ import annotations
-
 from collections import Counter
 from dataclasses import dataclass
 from itertools import cycle
@@ -25,7 +23,7 @@ GREY, WINE = "#999999", "#882255"  # not theirs
 INK, FAINT, GRID = "#1f2328", "#6a737d", "#e3e6ea"
 EXACT_FILL, NO_ERROR_FILL = "#cfe6f5", "#eaf4ee"  # behind what is exact; what has no error
 APART_FILL = "#f1f2f4"  # behind what is apart from the rest: warm-up frames, slower than 1
-DPI, SMALL = 144, 9.5  # SMALL: points, of numbers beside marks
+FONT, DPI, SMALL = "DejaVu Sans", 144, 9.5  # SMALL: points, of numbers beside marks
 
 # Ours look the same in every report; the others share what is left. Yellow lines are too pale.
 _BACKENDS = ("impl_cpu", "impl_thrust", "impl_cuda_custom", "impl_thrust_cuda")
@@ -44,7 +42,7 @@ _TEST_COLOURS = (BLUE, SKY, PURPLE, ORANGE, YELLOW, GREEN, VERMILLION, WINE, GRE
 _PREDICATES = dict(zip(PREDICATES, _TEST_COLOURS, strict=True))
 
 RC: dict[str, Any] = {
-    **{"font.family": "DejaVu Sans", "font.size": 11},
+    **{"font.family": FONT, "font.size": 11},
     **{"axes.titlesize": 12.5, "axes.titleweight": "bold", "axes.titlelocation": "left"},
     **{"axes.spines.top": False, "axes.spines.right": False},
     **{"axes.edgecolor": FAINT, "axes.labelcolor": INK, "xtick.color": INK, "ytick.color": INK},
@@ -53,6 +51,7 @@ RC: dict[str, Any] = {
     **{"legend.frameon": False, "legend.fontsize": 10.5, "figure.titlesize": 12.5},
     **{"figure.facecolor": "white", "savefig.facecolor": "white", "text.color": INK},
     "text.parse_math": False,  # names come from data: a dollar sign in one is a dollar sign
+    "svg.fonttype": "none",  # letters stay text
     "svg.hashsalt": "octocell",  # ids in SVG files: the same in every run
 }
 

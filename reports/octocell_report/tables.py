@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Questions that several tables and plots ask of the frame."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pandas as pd

@@ -3,8 +3,6 @@
 
 # ruff: noqa: E501  (sentences, not code)
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import NamedTuple
 

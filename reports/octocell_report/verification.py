@@ -5,8 +5,6 @@ A file's name says its kind: near_tangent.json and near_tangent_gpu.json hold ne
 It lies in the folder, or in one below it that is named after the machine.
 """
 
-from __future__ import annotations
-
 from functools import partial
 from pathlib import Path
 from typing import Annotated, Any, TypeAlias, TypeVar

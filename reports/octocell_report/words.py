@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Numbers and names as people read them; the same words in plots, page and README."""
 
-from __future__ import annotations
-
 import math
 import textwrap
 from typing import Any

@@ -92,7 +92,7 @@ def test_mmcif_of_one_atom_needs_no_loop(tmp_path):
         ("Cartn_y", "Cartn_x", "gemmi says: duplicate tag"),
         ("_atom_site", "_atom_type", "an atom outside of the loop _atom_site"),
         ("ATOM C", "#\nloop_\nATOM C", "line 19: an atom outside of the loop"),
-        ("_atom_site.Cartn_x", "_atom_ste.Cartn_x", "'_atom_ste.Cartn_x' in the loop of _atom_site"),
+        ("site.Cartn_x", "ste.Cartn_x", "line 12: '_atom_ste.Cartn_x' in the loop of _atom_site"),
         ("Zn ZN", "? QQ", "'QQ' is of no known element"),
     ],
 )

@@ -37,6 +37,10 @@ def error(*names):
     return drawn(plots.draw_error(study), *names)
 
 
+def error_of_a_host(*names):
+    return drawn(plots.draw_error(Study([parse(synthetic_error.host())])), *names)
+
+
 def ablation(*names):
     return drawn(plots.draw_ablation(parse(synthetic_ablation.every_case())), *names)
 
@@ -55,6 +59,7 @@ def names_of(ax):
         (bench, ("time_warm", "stages_backend", "stages_per_sphere", "speed_warm", "memory")),
         (device, ("bandwidth", "bandwidth_by_size")),
         (error, plots.ERROR_NAMES),
+        (error_of_a_host, ("error_pareto",)),  # few entries of the key stand in the short column
         (ablation, plots.ABLATION_NAMES),
     ],
 )

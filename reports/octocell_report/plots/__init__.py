@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """One file per plot; each draws from a result and returns a figure, or nothing to show."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from typing import Any
@@ -31,7 +29,7 @@ from octocell_report.plots import (
 
 _RUNS = ("warm", "cold", "first_update", "update")
 _SIDES = ("backend", "device", "baseline")
-_BENCH: dict[str, Callable[..., Figure | None]] = {
+DRAWS: dict[str, Callable[..., Figure | None]] = {
     "front": lambda result, looks: front.draw(result),
     **{f"time_{run}": partial(time.draw, run=run) for run in _RUNS},
     **{f"stages_{side}": partial(stages.draw, side=side) for side in _SIDES},
@@ -55,12 +53,12 @@ _ERROR = {
 }
 # Every name that draw_all() may use: a build replaces or removes these and nothing else. The same
 # for the other two.
-NAMES, ABLATION_NAMES, ERROR_NAMES = tuple(_BENCH), tuple(_ABLATION), tuple(_ERROR)
+NAMES, ABLATION_NAMES, ERROR_NAMES = tuple(DRAWS), tuple(_ABLATION), tuple(_ERROR)
 
 
 def draw_all(result: Result) -> Iterator[tuple[str, Figure]]:
     """Name and figure, one at a time; the figure is closed when the next one is asked for."""
-    yield from _drawn(_BENCH, result, style.looks(result))
+    yield from _drawn(DRAWS, result, style.looks(result))
 
 
 def draw_ablation(result: Result) -> Iterator[tuple[str, Figure]]:

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """How near each stage on a device comes to the speed at which its memory copies."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

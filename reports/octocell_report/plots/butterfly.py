@@ -75,7 +75,7 @@ def _draw(
         [lines for lines in (_LINES, len(lanes) + 2, _LINES) for _ in classes],
         columns=len(classes),
         key=_key(study.points, looks),
-        key_columns=3,
+        key_columns=2,
         sharex=True,
         sharey="row",
     )

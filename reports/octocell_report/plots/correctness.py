@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Who is wrong where: what each implementation that errs loses and invents, scene by scene."""
 
-from __future__ import annotations
-
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure

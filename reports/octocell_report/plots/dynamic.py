@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Time of single frames of moving scenes, warm-up frames marked apart."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from matplotlib.axes import Axes

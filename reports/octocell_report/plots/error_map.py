@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Errors per million true pairs: series down, scenes across, a facet per class of scenes."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pandas as pd

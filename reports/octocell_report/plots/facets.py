@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What all plots are made of: facets under one title and above one key, and marks in them."""
 
-from __future__ import annotations
-
 import textwrap
 from collections.abc import Callable, Iterable, Sequence
 from statistics import mean, median

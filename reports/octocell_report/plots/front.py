@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The answer in one picture: time per sphere of ours, and of each library's fastest."""
 
-from __future__ import annotations
-
 from itertools import cycle
 
 import pandas as pd

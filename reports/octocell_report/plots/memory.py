@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Bytes per sphere beyond input and output, at each scene's largest size."""
 
-from __future__ import annotations
-
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure

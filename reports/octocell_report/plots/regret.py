@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The plan against the best choice that could have been forced, scene by scene."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from matplotlib.axes import Axes

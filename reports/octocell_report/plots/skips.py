@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What it costs to forbid a skip: scenes down, skips across, one map per backend."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Speed against the baselines: ratios taken round by round, so that drift cancels."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from statistics import median
 from typing import Any

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Where the time goes: stacked bars, one colour per stage."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pandas as pd

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """From nothing skipped to the plan: what each further skip saves, one facet per scene."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from matplotlib.axes import Axes

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Time against the number of spheres, one facet per scene, both axes logarithmic."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
