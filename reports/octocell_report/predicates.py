@@ -6,7 +6,7 @@ FLOAT32 = "f32"  # what is usually written
 
 # From what claims most to what is usually simplest; each in a few words of a formula.
 MEANINGS = {
-    EXACT: "float32 with a proved band, then integers",
+    EXACT: "float32 with a proved filter, then integers",
     "q16_exact": "16-bit positions in the cell; survivors as exact",
     "f64": "float64, D ≤ s²",
     FLOAT32: "float32, D ≤ s²",
