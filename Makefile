@@ -27,7 +27,7 @@ CUDA_IF_GPU = $(if $(wildcard /dev/nvidiactl)$(filter ON,$(OCTOCELL_CUDA)),$(OCT
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build user-build install build-tests test compilers fuzz mutants stress stress-full real bench bench-full bench-sort ablation error report readme traces steps pictures course-pictures site sanitize cuda-toolkit bundle clean
+.PHONY: help setup configure build user-build install build-tests test compilers fuzz mutants stress stress-full real bench bench-full bench-sort ablation error report readme traces steps pictures course-pictures bug-hunt site sanitize cuda-toolkit bundle clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -90,6 +90,7 @@ mutants: setup ## Plant one fault after the other and see that the tests notice 
 	@cmake --preset faults -DOCTOCELL_WERROR=$(WERROR) -DOCTOCELL_CUDA=$(CUDA_IF_GPU) >/dev/null
 	@cmake --build --preset faults
 	@$(PYTHON) tests/mutation/mutants.py -o reports/out/mutants.json
+	@OCTOCELL_BIN=build-faults/octocell $(PYTHON) -m pytest -q tests/course/test_bug_hunt.py
 
 bench: build ## Time our CPU backend beside FCL and Bullet (minutes), check every row, draw the report
 	@$(BUILD)/octocell bench --preset quick -o $(RESULT)
@@ -125,6 +126,11 @@ steps: build ## Write the step page, reports/out/steps.html: the course's scenes
 	@mkdir -p reports/out
 	@$(BUILD)/octocell trace $(COURSE_SCENES) --rule as_written --html reports/out/steps.html
 	@echo "open reports/out/steps.html"
+
+bug-hunt: build ## Build an octocell with a mistake that you do not know (minutes), and choose a case
+	@cmake --preset faults -B build-hunt -DOCTOCELL_DEVELOPER=OFF -DOCTOCELL_CUDA=OFF >/dev/null
+	@cmake --build build-hunt --target octocell
+	@course/bug_hunt.py start
 
 site: ## Build the documents as a site that opens from disk: reports/out/site (installs MkDocs)
 	@test -x .venv-site/bin/mkdocs || { python3 -m venv .venv-site && \

@@ -32,6 +32,7 @@ NOT_RUN = {
     r".*build/tests/test_\w+": LONG,
     r"build/tests/fuzz_scenes FOLDER": LONG,
     r".*build-faults/octocell.*|.*mutants\.py .*": "needs the build with planted faults",
+    r"course/bug_hunt\.py .*|diff sound\.txt faulty\.txt": "needs a case of the bug hunt",
     r".*fetch_real_scenes\.py|.*data/real/.*": "needs files that `make real` downloads",
     r".*(impl_sycl|fcl_other|lattice:n=30000|spiral).*": EXAMPLE,
     r".*octocell-import .*": EXAMPLE,
