@@ -27,7 +27,7 @@ CUDA_IF_GPU = $(if $(wildcard /dev/nvidiactl)$(filter ON,$(OCTOCELL_CUDA)),$(OCT
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build user-build install build-tests test compilers fuzz mutants stress stress-full real bench bench-full bench-sort ablation error report readme traces steps pictures course-pictures bug-hunt site sanitize cuda-toolkit bundle clean
+.PHONY: help setup configure build user-build student install build-tests test compilers fuzz mutants stress stress-full real bench bench-full bench-sort ablation error report readme traces steps pictures course-pictures bug-hunt site sanitize cuda-toolkit bundle clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -48,6 +48,12 @@ user-build: ## Build only the library and the command line: no FCL, Bullet, GMP,
 
 install: user-build ## Install the library and the command line in PREFIX (default /usr/local)
 	@cmake --install $(BUILD)-users --prefix $(PREFIX)
+
+student: ## Build only what hand-ins and the labs need: the library and the command line with judge, try, doctor
+	@OCTOCELL_DEVELOPER=OFF OCTOCELL_JUDGE=ON scripts/setup.sh
+	@cmake --preset $(PRESET) -B $(BUILD)-student -DOCTOCELL_DEVELOPER=OFF -DOCTOCELL_JUDGE=ON -DOCTOCELL_CUDA=OFF >/dev/null
+	@cmake --build $(BUILD)-student --target octocell
+	@$(BUILD)-student/octocell doctor || true
 
 build-tests: configure ## Build the tests, too
 	@cmake --build $(BUILD)

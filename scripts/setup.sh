@@ -4,8 +4,10 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-# OCTOCELL_DEVELOPER=OFF: only what the library and the command line need.
+# OCTOCELL_DEVELOPER=OFF: only what the library and the command line need;
+# with OCTOCELL_JUDGE=ON what judges hand-ins, too.
 developer=${OCTOCELL_DEVELOPER:-ON}
+judge=${OCTOCELL_JUDGE:-$developer}
 
 packages=(
   g++ cmake ninja-build ccache pkg-config git
@@ -13,9 +15,9 @@ packages=(
   libboost-dev    # Asio's thread pool (headers)
   zlib1g-dev      # files that gzip packed
 )
+[ "$judge" = OFF ] || packages+=(libgmp-dev)  # the exact reference
 [ "$developer" = OFF ] || packages+=(
   libbenchmark-dev libgtest-dev
-  libgmp-dev      # the exact reference
   libfcl-dev libbullet-dev  # the baselines
   libtbb-dev libhwy-dev     # sorts to compare with
   python3-venv    # the reports

@@ -16,9 +16,14 @@ struct NamedCommand {
 };
 
 #ifdef OCTOCELL_DEVELOPER
-#define OCTOCELL_UNLESS_USERS_BUILD(add) add
+#define OCTOCELL_IF_DEVELOPER(add) add
 #else
-#define OCTOCELL_UNLESS_USERS_BUILD(add) nullptr
+#define OCTOCELL_IF_DEVELOPER(add) nullptr
+#endif
+#ifdef OCTOCELL_JUDGE
+#define OCTOCELL_IF_JUDGE(add) add
+#else
+#define OCTOCELL_IF_JUDGE(add) nullptr
 #endif
 
 /// In the order of --help.
@@ -29,14 +34,15 @@ constexpr NamedCommand kCommands[] = {
     {"why", add_why},
     {"trace", add_trace},
     {"generate", add_generate},
-    {"judge", OCTOCELL_UNLESS_USERS_BUILD(add_judge)},
-    {"try", OCTOCELL_UNLESS_USERS_BUILD(add_try)},
-    {"check", OCTOCELL_UNLESS_USERS_BUILD(add_check)},
-    {"bench", OCTOCELL_UNLESS_USERS_BUILD(add_bench)},
-    {"bench-sort", OCTOCELL_UNLESS_USERS_BUILD(add_bench_sort)},
-    {"stress", OCTOCELL_UNLESS_USERS_BUILD(add_stress)},
-    {"near-tangent", OCTOCELL_UNLESS_USERS_BUILD(add_near_tangent)},
-#ifdef OCTOCELL_DEVELOPER
+    {"judge", OCTOCELL_IF_JUDGE(add_judge)},
+    {"try", OCTOCELL_IF_JUDGE(add_try)},
+    {"doctor", OCTOCELL_IF_JUDGE(add_doctor)},
+    {"check", OCTOCELL_IF_DEVELOPER(add_check)},
+    {"bench", OCTOCELL_IF_DEVELOPER(add_bench)},
+    {"bench-sort", OCTOCELL_IF_DEVELOPER(add_bench_sort)},
+    {"stress", OCTOCELL_IF_DEVELOPER(add_stress)},
+    {"near-tangent", OCTOCELL_IF_DEVELOPER(add_near_tangent)},
+#ifdef OCTOCELL_JUDGE
     {"run-hand-in", add_run_hand_in},
 #endif
 };

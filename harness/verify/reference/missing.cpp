@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Replaces the reference in a build without GMP (OCTOCELL_DEVELOPER=OFF). Commands call
+// Replaces the reference in a build without GMP (OCTOCELL_JUDGE=OFF). Commands call
 // require_available() before they begin, so the other functions are never called.
 #include <span>
 #include <vector>
