@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sweep and prune of CUB's parts: sort the spheres by where they begin on x, let each count the
 // pairs with those that begin before it ends, turn counts into places, write.
+#include <cstddef>
 #include <cstdint>
 #include <cub/device/device_for.cuh>
 #include <cub/device/device_radix_sort.cuh>
