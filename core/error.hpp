@@ -28,4 +28,9 @@ struct MemoryError : LimitError {
   explicit MemoryError(const std::string& line) : LimitError(line, ErrorKind::memory) {}
 };
 
+/// The caller no longer wants the answer.
+struct Stopped : Error {
+  Stopped() : Error("stopped as the caller asked", ErrorKind::stopped) {}
+};
+
 }  // namespace octocell

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -64,6 +65,11 @@ class PairFinder {
   /// updates the finder's standing structure instead of building a new one; a finder without one
   /// starts from scratch.
   virtual void update(SceneView scene) = 0;
+
+  /// Sets what long runs ask from time to time, on the thread of the caller; may be empty. If it
+  /// returns true, find_pairs() throws Stopped, and the next call must be upload(). Best effort: a
+  /// finder may never ask.
+  virtual void stop_when(std::function<bool()> /*wanted*/) {}
 
   /// Finds the pairs; timed. Must not allocate, print or block, except to read which stages a GPU
   /// frame may skip.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -23,6 +24,7 @@ class CpuBackend final : public GridPairFinder {
     w_.cells.clear();
     if (!w_.threads || w_.threads->asked() != plan.threads) {
       w_.threads = std::make_shared<Threads>(plan.threads);
+      w_.threads->stop_when(stop_wanted_);
     }
     w_.allocate();
     coherence_.reset(w_);
@@ -39,6 +41,11 @@ class CpuBackend final : public GridPairFinder {
                             // spheres
     }
     w_.scene = scene;
+  }
+
+  void stop_when(std::function<bool()> wanted) override {
+    stop_wanted_ = std::move(wanted);
+    if (w_.threads) w_.threads->stop_when(stop_wanted_);
   }
 
   Counts counts() override {
@@ -120,6 +127,7 @@ class CpuBackend final : public GridPairFinder {
     found.cells = w.plan.method == Method::half_shell ? w.ordered.row_count : w.cells.size();
   }
 
+  std::function<bool()> stop_wanted_;
   Workspace w_;
   std::uint64_t room_ = 0;    // spheres that the buffers have room for
   std::vector<Flags> flags_;  // of the scene

@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <utility>
+
+#include "core/error.hpp"
 
 namespace octocell::cpu {
 
@@ -24,20 +27,27 @@ class Threads {
   /// Calls task(t) for every t in [0, count()), at the same time; returns when all are done.
   void run(const std::function<void(int)>& task);
 
+  /// Sets what for_blocks() asks before each block of the caller's thread; may be empty. If it
+  /// returns true, no more blocks begin, and for_blocks() throws Stopped.
+  void stop_when(std::function<bool()> wanted) { stop_wanted_ = std::move(wanted); }
+
   /// Splits [0, size) into blocks of `block` and calls work(begin, end) for each on the next idle
   /// thread.
   template <typename Work>
   void for_blocks(std::uint64_t size, std::uint64_t block, const Work& work) {
     std::atomic<std::uint64_t> next = 0;
-    const auto take_blocks = [&](int) {
+    std::atomic<bool> stopped = false;
+    const auto take_blocks = [&](int t) {
       for (;;) {
+        if (t == 0 && stop_wanted_ && stop_wanted_()) stopped = true;
+        if (stopped.load(std::memory_order_relaxed)) return;
         const std::uint64_t begin = next.fetch_add(block, std::memory_order_relaxed);
         if (begin >= size) return;
         work(begin, std::min(begin + block, size));
       }
     };
-    if (size <= block) return take_blocks(0);
-    run(take_blocks);
+    size <= block ? take_blocks(0) : run(take_blocks);
+    if (stopped) throw Stopped();
   }
 
   /// Returns true if holds(begin, end) is true for each block. After the first false, calls it no
@@ -56,6 +66,7 @@ class Threads {
   int asked_;
   std::unique_ptr<Pool> pool_;  // none for one thread
   int count_;
+  std::function<bool()> stop_wanted_;
 };
 
 }  // namespace octocell::cpu

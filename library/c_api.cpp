@@ -49,6 +49,8 @@ octocell_status status_of(ErrorKind kind) {
       return OCTOCELL_MEMORY;
     case ErrorKind::unavailable:
       return OCTOCELL_UNAVAILABLE;
+    case ErrorKind::stopped:
+      return OCTOCELL_STOPPED;
     default:
       return OCTOCELL_INTERNAL;
   }
@@ -105,6 +107,9 @@ Options options_of(const octocell_options* given, std::size_t flag_count) {
                      .sorted = given->sorted != 0,
                      .device = static_cast<Device>(given->device)};
   if (given->flags != nullptr) options.flags = span_of<Flags>(given->flags, flag_count);
+  if (given->stop != nullptr) {
+    options.stop = [stop = given->stop, context = given->context] { return stop(context) != 0; };
+  }
   return options;
 }
 

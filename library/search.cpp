@@ -52,7 +52,9 @@ Search::Search(const Options& options)
     : how(plan_options_of(options)),
       is_sorted_(options.sorted),
       finder_(backend_of(options.device).create()),
-      clock_(finder_->make_clock(Marks::off)) {}
+      clock_(finder_->make_clock(Marks::off)) {
+  finder_->stop_when(options.stop);
+}
 
 void Search::run(SceneView scene) {
   has_answer_ = false;

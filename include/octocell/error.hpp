@@ -17,6 +17,7 @@ enum class ErrorKind : std::uint8_t {
   limit,             // the request is sound, but larger than this implementation allows
   memory,            // it needs more memory than this process can have
   unavailable,       // the device is not there, or the library was built without it
+  stopped,           // Options::stop asked for it
   internal,          // anything else, for example an error that a GPU's driver reports
 };
 

@@ -37,7 +37,8 @@ typedef enum octocell_status {
   OCTOCELL_LIMIT = 3,            /* larger than this implementation allows */
   OCTOCELL_MEMORY = 4,           /* more memory than this process can have */
   OCTOCELL_UNAVAILABLE = 5,      /* no such device here, or the library was built without it */
-  OCTOCELL_INTERNAL = 6          /* anything else */
+  OCTOCELL_STOPPED = 6,          /* options.stop asked for it */
+  OCTOCELL_INTERNAL = 7          /* anything else */
 } octocell_status;
 
 typedef struct octocell_error {
@@ -55,10 +56,14 @@ typedef struct octocell_options {
   int sorted;            /* not 0: pairs are sorted by (i, j) */
   int device;            /* OCTOCELL_CPU or OCTOCELL_CUDA */
   const uint32_t* flags; /* one word a sphere (octocell.hpp, Flags), or NULL */
+  /* Called many times during a search, on the caller's thread, with `context`; if it returns
+     nonzero, the search ends with OCTOCELL_STOPPED. NULL: never called. */
+  int (*stop)(void* context);
+  void* context;
 } octocell_options;
 
 #define OCTOCELL_OPTIONS \
-  { sizeof(octocell_options), 0, 1, OCTOCELL_CPU, NULL }
+  { sizeof(octocell_options), 0, 1, OCTOCELL_CPU, NULL, NULL, NULL }
 
 /* The release, for example "0.1.0". */
 OCTOCELL_API const char* octocell_version(void);

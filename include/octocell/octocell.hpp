@@ -28,6 +28,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -59,6 +60,9 @@ struct Options {
   /// One word a sphere, which says with what it may collide; or empty: with all. Functions borrow
   /// the words, a Finder copies them, Chunks borrow them as long as they live.
   std::span<const Flags> flags = {};
+  /// Called many times during a search on the CPU, on the thread that asked for it. If it returns
+  /// true, the search ends with Error `stopped`. It must be quick, and must not throw.
+  std::function<bool()> stop = {};
 };
 
 /// Returns the release, for example "0.1.0".

@@ -201,6 +201,33 @@ TEST(Library, RefusesWhatItCannotUse) {
   EXPECT_FALSE(why_unavailable(Device::cpu));
 }
 
+TEST(Library, StopsWhenAskedTo) {
+  const Scene scene = generate("gas:n=3000");
+  const List truth = reference::exact_pairs(scene);
+  int asked = 0;
+  int last = 0;
+  const Options options = {.threads = 2, .stop = [&] { return ++asked > last; }};
+  const std::thread::id caller = std::this_thread::get_id();
+  Finder finder(options);
+  for (bool stopped = true; stopped; ++last) {
+    asked = 0;
+    try {
+      EXPECT_EQ(listed(finder.find(scene.spheres)), truth);
+      stopped = false;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::stopped);
+      EXPECT_TRUE(finder.take().empty());
+    }
+  }
+  EXPECT_GT(last, 3);
+  last = 0;
+  EXPECT_THROW(find_pairs(scene.spheres, options), Error);
+  find_pairs(scene.spheres, {.threads = 3, .stop = [&] {
+                               EXPECT_EQ(std::this_thread::get_id(), caller);
+                               return false;
+                             }});
+}
+
 TEST(Library, AFinderGoesOnAfterAnError) {
   const Scene scene = generate("gas:n=500");
   std::vector<Sphere> bad = scene.spheres;
