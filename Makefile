@@ -27,7 +27,7 @@ CUDA_IF_GPU = $(if $(wildcard /dev/nvidiactl)$(filter ON,$(OCTOCELL_CUDA)),$(OCT
 WERROR := $(if $(CI),ON,OFF)
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build user-build student install build-tests test compilers fuzz mutants stress stress-full real bench bench-full bench-sort ablation error report readme traces steps pictures course-pictures bug-hunt site sanitize cuda-toolkit bundle clean
+.PHONY: help setup configure build user-build student install build-tests test compilers fuzz mutants stress stress-full real bench bench-full bench-sort ablation error report readme traces steps pictures course-pictures bug-hunt site sanitize cuda-toolkit wheel bundle clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "  make %-12s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -163,6 +163,10 @@ sanitize: setup ## Build and test with ASan + UBSan, then with TSan
 
 cuda-toolkit: ## Make a CUDA toolkit (nvcc and Thrust) in .cuda/, where the machine has none
 	@scripts/cuda_toolkit.sh
+
+wheel: ## Pack the Python module for pip: dist/octocell-*.whl for every x86-64, and the sources
+	@OCTOCELL_DEVELOPER=OFF scripts/setup.sh
+	@scripts/make_wheel.sh
 
 bundle: setup ## Pack what a GPU node needs to run without network or root: dist/octocell.tar.gz
 	@FAULTS=$(FAULTS) scripts/make_bundle.sh $(GPUS)

@@ -21,6 +21,7 @@ packages=(
   libfcl-dev libbullet-dev  # the baselines
   libtbb-dev libhwy-dev     # sorts to compare with
   python3-venv    # the reports
+  python3-dev     # the Python module
 )
 
 has_nvcc() {

@@ -18,7 +18,7 @@ HEADERS = {
     " reverse shuffle sort stable_sort transform upper_bound"
     " ranges::adjacent_find ranges::all_of ranges::any_of ranges::binary_search"
     " ranges::copy ranges::count"
-    " ranges::count_if ranges::equal ranges::fill ranges::find ranges::find_if"
+    " ranges::count_if ranges::equal ranges::fill ranges::find ranges::find_if ranges::for_each"
     " ranges::is_sorted ranges::lower_bound ranges::max ranges::max_element ranges::minmax_element"
     " ranges::mismatch ranges::none_of"
     " ranges::replace ranges::reverse ranges::set_difference ranges::set_intersection ranges::sort"
@@ -31,6 +31,7 @@ HEADERS = {
     "chrono": "chrono chrono_literals",
     "cmath": "abs cbrt ceil cos exp exp2 fabs floor fma fmod frexp hypot ilogb isfinite isinf isnan"
     " ldexp log log10 log2 lround nanf nextafter pow rint round signbit sin sqrt",
+    "compare": "strong_ordering",
     "csignal": "raise sig_atomic_t signal",
     "cstddef": "byte max_align_t nullptr_t ptrdiff_t size_t to_integer",
     "cstdint": "int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t",
@@ -50,7 +51,7 @@ HEADERS = {
     "latch": "latch",
     "limits": "numeric_limits",
     "map": "map multimap",
-    "memory": "make_shared make_unique shared_ptr unique_ptr",
+    "memory": "make_shared make_unique shared_ptr unique_ptr weak_ptr",
     "mutex": "mutex scoped_lock",
     "new": "align_val_t bad_alloc",
     "numbers": "numbers",

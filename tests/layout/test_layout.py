@@ -34,6 +34,7 @@ MAY_INCLUDE: dict[str, tuple[str, ...]] = {
     "harness/plugin/": ("core/", "include/"),
     "harness/engine/": ("core/", "core/planner/", "harness/plugin/", *BACKENDS, "baselines/"),
     "library/": ("core/", "core/planner/", "harness/engine/"),
+    "python/": ("core/available_memory.hpp",),
     "harness/trace/": ("core/", "core/planner/"),
     "harness/verify/reference/": ("core/", "harness/scenes/scene.hpp"),
     "harness/verify/near_tangent/": ("core/",),
