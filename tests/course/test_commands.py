@@ -26,6 +26,7 @@ NOT_RUN = {
     r"make [\w-]+( [A-Z_]+=\S+)*": LONG,
     r"\.ci/run": LONG,
     r"ctest .*|.*-m pytest .*": HERE,
+    r"(OCTOCELL_DEVELOPER=OFF )?scripts/setup\.sh|pip install \.": "installs something",
     r"ssh .*|scp .*|.*--preset gpu.*|.*--device gpu.*|.*impl_cuda_custom": NODE,
     r".*octocell bench .*|.*octocell bench-sort .*|octocell-report sort .*": LONG,
     r"\./build/octocell stress .*|octocell stress .*": LONG,
