@@ -10,6 +10,7 @@
 #include "core/text.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/files/json_text.hpp"
+#include "harness/files/save.hpp"
 #include "harness/try/library_runner.hpp"
 #include "harness/try/protocol.hpp"
 #include "harness/try/try.hpp"
@@ -45,6 +46,12 @@ void choose_stage(Options& options) {
 
 int try_file(Options options) {
   choose_stage(options);
+  if (options.trial.bench && (options.trial.sanitize || !options.stage.empty()))
+    throw InputError("--bench: not with --sanitize or --stage");
+  if (!options.trial.save.empty()) {
+    if (!options.stage.empty()) throw InputError("--save: not with --stage");
+    require_savable_scene(options.trial.save);
+  }
   require_positive("--budget", options.trial.budget_s);
   require_positive("--timeout", options.trial.timeout_s);
   require_positive("--memory", options.trial.memory_gib);
@@ -76,6 +83,10 @@ void add_try(CLI::App& sub, Command& command) {
   sub.add_option("--memory", trial.memory_gib, "GiB of resident memory for its process (4)");
   sub.add_option("--seed", trial.seed, "Of the scenes (1)");
   sub.add_option("--python", trial.python, "The interpreter of .py files (python3)");
+  sub.add_flag("--sanitize", trial.sanitize,
+               "Run it under ASan and UBSan (.cpp) or compute-sanitizer (.cu)");
+  sub.add_flag("--bench", trial.bench, "If it is exact, time it beside Octocell and the libraries");
+  sub.add_option("--save", trial.save, "Write the first scene with wrong pairs there, as NPY");
   sub.add_flag("--json", o->json, "Print JSON");
   sub.callback([&command, o] { command = [o] { return try_file(*o); }; });
 }

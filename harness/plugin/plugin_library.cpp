@@ -45,12 +45,18 @@ void PluginLibrary::prepare(std::size_t spheres) const {
 }
 
 std::uint64_t PluginLibrary::find(std::span<const Sphere> spheres, PairRoom& room) const {
+  const std::uint64_t count = find_into(spheres, room.data(), room.capacity());
+  require_red_zones(room, "pairs");
+  return count;
+}
+
+std::uint64_t PluginLibrary::find_into(std::span<const Sphere> spheres, octocell_pair* pairs,
+                                       std::uint64_t capacity) const {
   std::uint64_t count = 0;
   const auto* const first = reinterpret_cast<const octocell_sphere*>(spheres.data());
-  const int code = find_(first, static_cast<std::uint32_t>(spheres.size()), room.data(),
-                         room.capacity(), &count, nullptr);
+  const int code =
+      find_(first, static_cast<std::uint32_t>(spheres.size()), pairs, capacity, &count, nullptr);
   require_success("find_pairs", code);
-  require_red_zones(room, "pairs");
   return count;
 }
 

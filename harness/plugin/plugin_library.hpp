@@ -54,6 +54,9 @@ class PluginLibrary {
   /// Returns the number of pairs. If that is above the room's capacity, the room was too small.
   /// Throws LimitError also for a write around the room.
   std::uint64_t find(std::span<const Sphere> spheres, PairRoom& room) const;
+  /// Does the same for memory with red zones of the caller's own.
+  std::uint64_t find_into(std::span<const Sphere> spheres, octocell_pair* pairs,
+                          std::uint64_t capacity) const;
   void finish() const;
 
  private:

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <grp.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -26,6 +27,8 @@ namespace {
 constexpr std::size_t kShownOutput = 2000;
 constexpr int kCannotStart = 127;
 constexpr int kWatchMilliseconds = 20;
+constexpr int kFirstUser = 1'500'000'000;  // of users that no system has
+constexpr rlim_t kMostTasks = 1024;        // threads count, too: libraries start one for each core
 
 struct Pipe {
   int to_read = -1;
@@ -39,10 +42,30 @@ Pipe make_pipe() {
   return {ends[0], ends[1]};
 }
 
+/// If this is root, becomes a user that no one else is: no files, no other processes, and a limit
+/// on processes that binds. Stays root if that user could not read the hand-in.
+void drop_privileges(char* const* reads) {
+  if (geteuid() != 0) return;
+  const auto nobody = static_cast<uid_t>(kFirstUser + getpid());
+  if (setegid(nobody) != 0 || seteuid(nobody) != 0) return;
+  bool can_read = true;
+  for (; *reads != nullptr; ++reads)
+    can_read = can_read && faccessat(AT_FDCWD, *reads, R_OK, AT_EACCESS) == 0;
+  if (seteuid(0) != 0 || setegid(0) != 0) _exit(1);
+  if (!can_read || setgroups(0, nullptr) != 0) return;
+  if (setresgid(nobody, nobody, nobody) != 0 || setresuid(nobody, nobody, nobody) != 0) _exit(1);
+  const rlimit most = {kMostTasks, kMostTasks};
+  setrlimit(RLIMIT_NPROC, &most);
+}
+
+/// What the process gets at the descriptors from 3 up, in this order; -1: nothing.
+using Descriptors = std::array<int, 4>;
+
 /// Moves the descriptors to where the protocol expects them and closes all others; then becomes the
-/// program. Only calls what is allowed between fork and exec.
-[[noreturn]] void become(char* const* command, pid_t parent, int questions, int answers,
-                         int output) {
+/// program. `reads`: see drop_privileges(); null: it keeps its user. Only calls what is allowed
+/// between fork and exec.
+[[noreturn]] void become(char* const* command, char* const* reads, pid_t parent,
+                         const Descriptors& given, int output) {
   setpgid(0, 0);
   for (const int number :
        {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGPIPE, SIGINT, SIGXFSZ}) {
@@ -50,31 +73,41 @@ Pipe make_pipe() {
   }
   const rlimit none = {0, 0};
   setrlimit(RLIMIT_CORE, &none);
+  if (reads != nullptr) drop_privileges(reads);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
   if (getppid() != parent) _exit(1);
-  // First out of the way of 0 to 4, then to their places.
+  // First out of the way of 0 to 6, then to their places.
   constexpr int kFree = 20;
-  const int q = fcntl(questions, F_DUPFD, kFree);
-  const int a = fcntl(answers, F_DUPFD, kFree);
+  Descriptors free = given;
+  for (int& fd : free) fd = fd < 0 ? -1 : fcntl(fd, F_DUPFD, kFree);
   const int o = fcntl(output, F_DUPFD, kFree);
   const int nothing = open("/dev/null", O_RDONLY);
   dup2(nothing, STDIN_FILENO);
   dup2(o, STDOUT_FILENO);
   dup2(o, STDERR_FILENO);
-  dup2(q, kQuestions);
-  dup2(a, kAnswers);
-  close_range(kAnswers + 1, ~0U, 0);
+  int place = kQuestions;
+  for (const int fd : free) {
+    if (fd >= 0) dup2(fd, place++);
+  }
+  close_range(static_cast<unsigned>(place), ~0U, 0);
   execvp(command[0], command);
   const char* const reason = std::strerror(errno);
   std::ignore = write(STDERR_FILENO, reason, std::strlen(reason));
   _exit(kCannotStart);
 }
 
+std::vector<char*> as_arguments(const std::vector<std::string>& words) {
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  return arguments;
+}
+
 }  // namespace
 
-Child::Child(const std::vector<std::string>& command, const Limits& limits) : limits_(limits) {
-  start(command);
+Child::Child(const Program& program, const Limits& limits, const Board* board) : limits_(limits) {
+  start(program, board);
   try {
     with_printed([&] { return receive(0, limits_.start); });
   } catch (...) {
@@ -85,17 +118,22 @@ Child::Child(const std::vector<std::string>& command, const Limits& limits) : li
 
 Child::~Child() { end_all(); }
 
-void Child::start(const std::vector<std::string>& command) {
-  std::vector<char*> words;
-  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
+void Child::start(const Program& program, const Board* board) {
+  const std::vector<char*> words = as_arguments(program.command);
+  const std::vector<char*> reads = as_arguments(program.reads);
   const Pipe questions = make_pipe();
   const Pipe answers = make_pipe();
   const Pipe output = make_pipe();
   adopt_orphans();
   const pid_t parent = getpid();
   id_ = fork();
-  if (id_ == 0) become(words.data(), parent, questions.to_read, answers.to_write, output.to_write);
+  if (id_ == 0) {
+    const Descriptors given = {questions.to_read, answers.to_write,
+                               board != nullptr ? board->spheres_fd() : -1,
+                               board != nullptr ? board->pairs_fd() : -1};
+    become(words.data(), program.may_change_user ? reads.data() : nullptr, parent, given,
+           output.to_write);
+  }
   for (const int theirs : {questions.to_read, answers.to_write, output.to_write}) close(theirs);
   questions_ = questions.to_write;
   answers_ = answers.to_read;
@@ -117,6 +155,40 @@ Outputs Child::ask(Question question, const Inputs& arrays, std::uint64_t most_b
     for (const std::span<const std::byte> array : arrays) write_whole(array);
     return receive(most_bytes, deadline_ - Clock::now());
   });
+}
+
+std::chrono::duration<double> Child::time(const Question& question,
+                                          const std::function<void()>& show,
+                                          std::chrono::duration<double> limit) {
+  std::chrono::duration<double> taken = {};
+  with_printed([&] {
+    go_on();
+    ask(question, {}, 0, limit);  // until it is ready
+    stop();
+    show();
+    limit_ = limit;
+    deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
+    write_whole(std::as_bytes(std::span(&kGo, 1)));
+    const auto begin = Clock::now();
+    go_on();
+    Outputs none = receive(0, limit);
+    taken = Clock::now() - begin;
+    stop();
+    return none;
+  });
+  return taken;
+}
+
+void Child::stop() {
+  kill(-id_, SIGSTOP);
+  siginfo_t info = {};
+  waitid(P_PID, static_cast<id_t>(id_), &info, WSTOPPED | WEXITED | WNOWAIT);
+  signal_descendants(id_, SIGSTOP);
+}
+
+void Child::go_on() {
+  signal_descendants(id_, SIGCONT);
+  kill(-id_, SIGCONT);
 }
 
 Outputs Child::with_printed(const std::function<Outputs()>& talk) {
@@ -180,7 +252,7 @@ void Child::wait_for(int fd, short events) {
       throw CannotJudge("prints too much",
                         fmt::format("it printed more than {} MiB", limits_.printed_bytes >> 20));
     }
-    watch_memory();
+    watch();
     if (polled[0].revents != 0) return;
     // The pipe stays open if a process that it started holds it.
     if (has_ended()) say_how_it_ended();
@@ -189,15 +261,19 @@ void Child::wait_for(int fd, short events) {
   }
 }
 
-void Child::watch_memory() {
+void Child::watch() {
   const auto now = Clock::now();
   if (now < next_look_) return;
   next_look_ = now + std::chrono::milliseconds(kWatchMilliseconds);
-  const double resident = resident_bytes(id_);
-  if (resident <= limits_.memory_bytes) return;
+  const TreeUse use = use_of(id_);
+  if (use.processes > limits_.processes) {
+    throw CannotJudge("too many processes", fmt::format("it has {} processes, more than {}",
+                                                        use.processes, limits_.processes));
+  }
+  if (use.resident_bytes <= limits_.memory_bytes) return;
   throw CannotJudge("out of memory",
                     fmt::format("it holds {:.1f} GiB, more than {:.1f} (--memory)",
-                                resident / (1 << 30), limits_.memory_bytes / (1 << 30)));
+                                use.resident_bytes / (1 << 30), limits_.memory_bytes / (1 << 30)));
 }
 
 bool Child::has_ended() const {
@@ -240,7 +316,7 @@ void Child::end_all() {
     }
     id_ = 0;
   }
-  end_orphans();
+  end_descendants();
   for (int* fd : {&questions_, &answers_, &output_}) {
     if (*fd >= 0) close(std::exchange(*fd, -1));
   }

@@ -16,11 +16,14 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "harness/try/board.hpp"
+#include "harness/try/compile.hpp"
 #include "harness/try/protocol.hpp"
 
 namespace octocell::hand_in {
 
-/// Why a hand-in cannot be judged: "crashed", "hangs", "out of memory", "fails", "prints too much".
+/// Why a hand-in cannot be judged: "crashed", "hangs", "out of memory", "fails", "prints too much",
+/// "too many processes".
 struct CannotJudge : Error {
   CannotJudge(std::string why, std::string text) : Error(std::move(text)), kind(std::move(why)) {}
   std::string kind;
@@ -31,6 +34,7 @@ struct Limits {
   double memory_bytes;                  // resident, of the process and of those that it started
   std::chrono::duration<double> start;  // to load the hand-in
   std::uint64_t printed_bytes = std::uint64_t{16} << 20;
+  std::size_t processes = 64;  // it and those that it started, threads not counted
 };
 
 using Bytes = std::vector<std::byte>;
@@ -40,8 +44,8 @@ using Outputs = std::array<Bytes, kMostOutputs>;
 class Child {
  public:
   /// Starts the program and waits until it is ready. Throws CannotJudge; LimitError if no process
-  /// can be started.
-  Child(const std::vector<std::string>& command, const Limits& limits);
+  /// can be started. `board` must outlive it; only with one can it be timed.
+  Child(const Program& program, const Limits& limits, const Board* board = nullptr);
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
   ~Child();
@@ -52,10 +56,20 @@ class Child {
   Outputs ask(Question question, const Inputs& arrays, std::uint64_t most_bytes,
               std::chrono::duration<double> limit);
 
+  /// Asks a timed question and returns how long the answer took, by this process's clock. `show`
+  /// puts the spheres where the hand-in can read them. Its processes run only until they are ready
+  /// and while the clock runs: afterwards they are stopped, and what they wrote stays as it is
+  /// until the next question. Throws CannotJudge.
+  std::chrono::duration<double> time(const Question& question, const std::function<void()>& show,
+                                     std::chrono::duration<double> limit);
+
  private:
   using Clock = std::chrono::steady_clock;
 
-  void start(const std::vector<std::string>& command);
+  void start(const Program& program, const Board* board);
+  /// Stops or continues it and all that it started.
+  void stop();
+  void go_on();
   /// Calls `talk`; if that fails, adds what was printed.
   Outputs with_printed(const std::function<Outputs()>& talk);
   Outputs receive(std::uint64_t most_bytes, std::chrono::duration<double> limit);
@@ -65,7 +79,7 @@ class Child {
   /// limits.
   void wait_for(int fd, short events);
   [[nodiscard]] bool has_ended() const;
-  void watch_memory();
+  void watch();
   void take_printed();
   [[noreturn]] void say_how_it_ended();
   void end_all();

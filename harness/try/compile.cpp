@@ -60,16 +60,51 @@ std::string include_folder() {
   return (fs::path(this_program()).parent_path().parent_path() / "include/octocell").string();
 }
 
-Words compiler_command(const std::string& file, const std::string& suffix,
+Words compiler_command(const std::string& file, const std::string& suffix, bool sanitize,
                        const std::string& library) {
   Words command;
   if (suffix == ".cu") {
     command = {nvcc(), "-std=c++20", "-O2", "-Xcompiler", "-fPIC", "-shared"};
+    if (sanitize) command.emplace_back("-lineinfo");
   } else {
     command = {variable("CXX", "c++"), "-std=c++20", "-O2", "-fPIC", "-shared", "-pthread"};
+    if (sanitize) {
+      command.insert(command.end(), {"-O1", "-g", "-fno-omit-frame-pointer",
+                                     "-fsanitize=address,undefined", "-fno-sanitize-recover=all"});
+    }
   }
   command.insert(command.end(), {"-I", include_folder(), file, "-o", library});
   return command;
+}
+
+/// The runner is no sanitized program, so the sanitizer's library must be loaded before all others.
+Words with_address_sanitizer() {
+  const std::string compiler = variable("CXX", "c++");
+  for (const char* name : {"libasan.so", "libclang_rt.asan-x86_64.so"}) {
+    const Output found =
+        output_of({compiler, fmt::format("-print-file-name={}", name)}, kCompileTime);
+    const std::string path(trim(std::string_view(found.text).substr(0, found.text.find('\n'))));
+    if (path.find('/') == std::string::npos) continue;
+    return {"env", "LD_PRELOAD=" + path, "ASAN_OPTIONS=detect_leaks=0:print_legend=0"};
+  }
+  throw CannotJudge("no sanitizer", fmt::format("{} has no libasan.so", compiler));
+}
+
+Words with_compute_sanitizer() {
+  if (access("/dev/nvidiactl", F_OK) != 0)
+    throw CannotJudge("no sanitizer", "compute-sanitizer needs a GPU, and there is none here");
+  const std::string tool = (fs::path(nvcc()).parent_path() / "compute-sanitizer").string();
+  if (access(tool.c_str(), X_OK) != 0)
+    throw CannotJudge("no sanitizer", "there is no compute-sanitizer beside nvcc");
+  return {tool, "--error-exitcode", "86", "--print-limit", "1"};
+}
+
+/// Returns the words before the command that has the sanitizer in it.
+Words sanitizer_for(const std::string& suffix) {
+  if (suffix == ".cpp") return with_address_sanitizer();
+  if (suffix == ".cu") return with_compute_sanitizer();
+  throw CannotJudge("no sanitizer",
+                    fmt::format("--sanitize is for .cpp and .cu, not for {}", suffix));
 }
 
 /// The first line that names an error, else the first line.
@@ -101,6 +136,8 @@ TemporaryFolder::TemporaryFolder() {
   std::string name = (fs::temp_directory_path() / "octocell-try-XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr) throw LimitError(fmt::format("no folder {}", name));
   path_ = name;
+  // The hand-in may run as another user.
+  fs::permissions(path_, fs::perms::owner_all | fs::perms::group_exec | fs::perms::others_exec);
 }
 
 TemporaryFolder::~TemporaryFolder() {
@@ -109,24 +146,34 @@ TemporaryFolder::~TemporaryFolder() {
 }
 
 Program prepare_program(const std::string& file, Function function, const std::string& python,
-                        const TemporaryFolder& folder) {
+                        bool sanitize, const TemporaryFolder& folder) {
   std::error_code error;
   if (!fs::is_regular_file(file, error))
     throw InputError(fmt::format("{}: no such file", printable(file)));
   const std::string path = fs::absolute(file).string();
   const std::string suffix = lower_case(fs::path(file).extension().string());
-  if (suffix == ".py")
-    return {{}, {python, "-c", kPythonRunner, path, std::string(name_of(function))}};
-  Program program;
-  std::string library = path;
-  if (suffix == ".cpp" || suffix == ".cu") {
-    library = (folder.path() / "hand_in.so").string();
-    program.compiled_with = compiler_command(path, suffix, library);
-    compile(program.compiled_with);
-  } else if (suffix != ".so") {
+  const bool is_compiled = suffix == ".cpp" || suffix == ".cu";
+  if (!is_compiled && suffix != ".so" && suffix != ".py")
     throw InputError(fmt::format("{}: expected .cpp, .cu, .so or .py", printable(file)));
+
+  Program program;
+  if (sanitize) program.command = sanitizer_for(suffix);
+  const std::string name(name_of(function));
+  if (suffix == ".py") {
+    // It keeps its user, because others may not read packages of root's own.
+    program.command = {python, "-c", kPythonRunner, path, name};
+    return program;
   }
-  program.command = {this_program(), "run-hand-in", library, std::string(name_of(function))};
+  std::string library = path;
+  if (is_compiled) {
+    library = (folder.path() / "hand_in.so").string();
+    program.compiled_with = compiler_command(path, suffix, sanitize, library);
+    compile(program.compiled_with);
+  }
+  const Words runner = {this_program(), "run-hand-in", library, name};
+  program.command.insert(program.command.end(), runner.begin(), runner.end());
+  program.reads = {this_program(), library};
+  program.may_change_user = true;
   return program;
 }
 

@@ -27,6 +27,8 @@ class TemporaryFolder {
 struct Program {
   std::vector<std::string> compiled_with;  // words; empty if nothing was compiled
   std::vector<std::string> command;        // the process to start
+  std::vector<std::string> reads = {};     // files that it must be able to read, whoever it is
+  bool may_change_user = false;
 };
 
 /// Compiles the file if its suffix (.cpp, .cu) asks for that; .so and .py are taken as they are.
@@ -34,6 +36,6 @@ struct Program {
 /// is not there or has another suffix, and CannotJudge if it does not compile or there is no
 /// compiler.
 Program prepare_program(const std::string& file, Function function, const std::string& python,
-                        const TemporaryFolder& folder);
+                        bool sanitize, const TemporaryFolder& folder);
 
 }  // namespace octocell::hand_in

@@ -41,11 +41,17 @@ constexpr std::optional<Function> function_named(std::string_view name) {
 inline constexpr std::size_t kMostInputs = 4;
 inline constexpr std::size_t kMostOutputs = 2;
 struct Question {
-  std::uint64_t capacity;  // of a list, to begin with
-  std::uint64_t most;      // entries of a list; more are refused
-  std::uint64_t key_bits;  // for sort
-  std::uint64_t bytes[kMostInputs];
+  std::uint64_t capacity = 0;  // of a list, to begin with
+  std::uint64_t most = 0;      // entries of a list; more are refused
+  std::uint64_t key_bits = 0;  // for sort
+  std::uint64_t is_timed = 0;  // 1: by the shared memories of board.hpp; nothing follows but a byte
+  std::uint64_t timed_spheres = 0;
+  std::uint64_t bytes[kMostInputs] = {};
 };
+
+/// A timed question: the process prepares and says that it is ready. Then it reads this byte, finds
+/// the pairs, and says that it is done.
+inline constexpr char kGo = 'g';
 
 enum class Ending : std::uint32_t { arrays, failed };
 

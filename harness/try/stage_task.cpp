@@ -27,12 +27,15 @@ class StageTask final : public Task {
   [[nodiscard]] std::vector<TrialScene> scenes(std::size_t seed) const override {
     std::vector<TrialScene> scenes;
     if (stage_ == Function::sort) scenes = random_key_scenes(seed);
-    for (TrialScene& scene : trial_scenes(seed)) scenes.push_back(std::move(scene));
+    for (TrialScene& scene : trial_scenes(seed)) {
+      if (scene.part != Part::stress) scenes.push_back(std::move(scene));
+    }
     return scenes;
   }
 
   void try_scene(Child& child, const TrialScene& trial_scene, Seconds limit,
                  Trial& trial) override {
+    part_ = trial_scene.part;
     if (const auto& keys = trial_scene.keys) {
       trial.at = trial_scene.spec;
       const StageArrays arrays = random_keys(keys->count, keys->bits, keys->seed);
@@ -88,7 +91,8 @@ class StageTask final : public Task {
                                bytes_of(sorted.objects), bytes_of(arrays.cells)},
                               limit, truth.size());
     judge::Judgement judgement = judge::judge(items_of<ListedPair>(found[0]), scene, truth);
-    trial.scenes.push_back({trial.at, sorted.size(), truth.size(), judgement.exact(), taken_ms_});
+    trial.scenes.push_back(
+        {trial.at, sorted.size(), truth.size(), judgement.exact(), taken_ms_, part_});
     if (judgement.exact()) return;
     if (!judgement.causes.empty()) note_cause(judgement.causes.front(), trial);
     trial.wrong = std::move(judgement);
@@ -103,7 +107,7 @@ class StageTask final : public Task {
   }
 
   void note(StageJudgement judgement, std::size_t n, std::size_t found, Trial& trial) const {
-    trial.scenes.push_back({trial.at, n, found, !judgement.first, taken_ms_});
+    trial.scenes.push_back({trial.at, n, found, !judgement.first, taken_ms_, part_});
     trial.wrong_entry = std::move(judgement.first);
     if (judgement.cause) note_cause(*judgement.cause, trial);
   }
@@ -114,7 +118,7 @@ class StageTask final : public Task {
   }
 
   static Question with_room(std::uint64_t capacity, std::size_t truth) {
-    return {.capacity = capacity, .most = most_entries(truth), .key_bits = 0, .bytes = {}};
+    return {.capacity = capacity, .most = most_entries(truth)};
   }
 
   static Entries entries_of(const Outputs& found) {
@@ -123,6 +127,7 @@ class StageTask final : public Task {
 
   Function stage_;
   double taken_ms_ = 0.0;
+  Part part_ = Part::small;
 };
 
 }  // namespace

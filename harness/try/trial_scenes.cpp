@@ -6,13 +6,29 @@
 #include <utility>
 
 namespace octocell::hand_in {
+namespace {
+
+/// Returns the entries of a slice that ask for the pairs of a scene.
+std::vector<stress::Entry>& stress_entries() {
+  static std::vector<stress::Entry> entries = [] {
+    std::vector<stress::Entry> all = stress::catalogue();
+    std::erase_if(all, [](const stress::Entry& entry) {
+      return entry.ask != stress::Ask::pairs || entry.sizes.slice == 0 || entry.cases == nullptr;
+    });
+    return all;
+  }();
+  return entries;
+}
+
+}  // namespace
 
 std::vector<TrialScene> trial_scenes(std::size_t seed) {
   std::vector<TrialScene> all = {{""}, {"gas:n=1"}, {"chain:n=2"}, {"chain:n=3"}};
+  Part part = Part::small;
   const auto add = [&](const char* scene, std::size_t n, const char* more = "") {
-    all.push_back({fmt::format("{}:n={},seed={}{}", scene, n, seed, more)});
+    all.push_back({fmt::format("{}:n={},seed={}{}", scene, n, seed, more), part});
   };
-  const auto add_plain = [&](const char* spec) { all.push_back({spec}); };
+  const auto add_plain = [&](const char* spec) { all.push_back({spec, part}); };
   add("dense", 33);
   add("dense", 1000);
   ++seed;  // the same size, other spheres: an answer that is kept from the last call is wrong
@@ -22,7 +38,7 @@ std::vector<TrialScene> trial_scenes(std::size_t seed) {
   add("shifted", 1000, ",offset=0,phi=0.3");
   add("dense", 1500);
   all.back().has_little_room = true;
-  // Every kind.
+  part = Part::kinds;
   add("gas", 2000);
   add("poly", 2000);
   add("cluster", 2000);
@@ -34,10 +50,14 @@ std::vector<TrialScene> trial_scenes(std::size_t seed) {
   add_plain("identical:n=200");
   add_plain("chain:n=2000");
   add_plain("fcc:n=1000");
+  for (const stress::Entry& entry : stress_entries()) {
+    all.push_back({fmt::format("stress {}", entry.id), Part::stress});
+    all.back().stress = &entry;
+  }
+  part = Part::larger;
   for (const std::size_t n : {5'000U, 20'000U, 70'000U, 200'000U, 1'000'000U}) {
     for (const char* scene : {"gas", "poly", "dense", "cluster"}) {
       add(scene, n);
-      all.back().is_larger = true;
     }
   }
   return all;

@@ -68,6 +68,7 @@ std::string to_text(const Trial& trial, std::string_view file) {
   }
   if (trial.cause && trial.cause_at != trial.at)
     text += fmt::format("on {}:\n{}\n", trial.cause_at, judge::to_text(*trial.cause));
+  if (!trial.timed.empty()) text += to_text(trial.timed) + "\n";
   text += fmt::format("{}: {}", file, trial.verdict);
   const bool is_stage = trial.function != Function::find_pairs;
   if (is_stage) text += fmt::format(": stage {}", name_of(trial.function));
@@ -89,7 +90,8 @@ Json to_json(const Trial& trial, std::string_view file) {
                       {"n", scene.n},
                       {units_of(trial.function).found, scene.found},
                       {"verdict", scene.exact ? "exact" : "wrong"},
-                      {"ms", scene.milliseconds}});
+                      {"ms", scene.milliseconds},
+                      {"class", kPartNames[static_cast<std::size_t>(scene.part)]}});
   }
   const Json wrong = trial.wrong ? judge::to_json(*trial.wrong, trial.at, file) : Json();
   Json first = trial.wrong ? wrong["first"] : Json::array();
@@ -106,7 +108,9 @@ Json to_json(const Trial& trial, std::string_view file) {
           {"first", std::move(first)},
           {"cause", trial.cause ? judge::to_json(*trial.cause) : Json()},
           {"cause_at", trial.cause ? Json(trial.cause_at) : Json()},
-          {"judgement", wrong}};
+          {"judgement", wrong},
+          {"class", kPartNames[static_cast<std::size_t>(trial.part)]},
+          {"bench", trial.timed.empty() ? Json() : to_json(trial.timed)}};
 }
 
 }  // namespace octocell::hand_in

@@ -6,6 +6,8 @@
 #include <memory>
 #include <optional>
 
+#include "core/text.hpp"
+#include "harness/files/save.hpp"
 #include "harness/try/child.hpp"
 #include "harness/try/compile.hpp"
 #include "harness/try/task.hpp"
@@ -23,6 +25,17 @@ std::unique_ptr<Task> make_task(const Options& options) {
   return make_stage_task(options.function);
 }
 
+/// Returns the line that says what a sanitizer found; empty if there is none.
+std::string sanitizer_line(std::string_view printed) {
+  for (const std::string_view mark : {"runtime error: ", "SUMMARY: ", "========= Invalid "}) {
+    const std::size_t at = printed.find(mark);
+    if (at == std::string_view::npos) continue;
+    const std::size_t begin = printed.rfind('\n', at) + 1;  // 0 if there is no line before
+    return printable(printed.substr(begin, printed.find('\n', at) - begin));
+  }
+  return {};
+}
+
 /// One run over the scenes.
 class Run {
  public:
@@ -30,12 +43,13 @@ class Run {
       : trial_(trial),
         options_(options),
         task_(make_task(options)),
-        child_(program.command, {.memory_bytes = options.memory_gib * kGiB,
-                                 .start = Seconds(std::max(options.timeout_s, 60.0))}) {}
+        child_(program, {.memory_bytes = options.memory_gib * kGiB,
+                         .start = Seconds(std::max(options.timeout_s, 60.0))}) {}
 
   void try_all() {
     for (const TrialScene& scene : task_->scenes(options_.seed)) {
-      if (scene.is_larger && left() <= 0.0) return;
+      if (scene.is_within_budget() && left() <= 0.0) return;
+      trial_.part = scene.part;
       if (!try_one(scene)) return;
     }
   }
@@ -43,13 +57,13 @@ class Run {
  private:
   /// Returns false if no more scenes should be tried.
   bool try_one(const TrialScene& scene) {
-    const double limit =
-        scene.is_larger ? std::min(options_.timeout_s, left()) : options_.timeout_s;
+    const bool is_larger = scene.part == Part::larger;
+    const double limit = is_larger ? std::min(options_.timeout_s, left()) : options_.timeout_s;
     try {
       task_->try_scene(child_, scene, Seconds(std::max(limit, 0.1)), trial_);
     } catch (const CannotJudge& late) {
       // A slow program is no wrong one: the budget ends here.
-      if (scene.is_larger && late.kind == "hangs") return false;
+      if (is_larger && late.kind == "hangs") return false;
       throw;
     }
     if (!trial_.is_wrong()) return true;
@@ -83,16 +97,28 @@ Trial try_hand_in(const Options& options) {
   Trial trial = {.function = options.function, .verdict = "cannot be judged"};
   std::optional<Run> run;
   try {
-    const Program program = prepare_program(options.file, options.function, options.python, folder);
+    const Program program =
+        prepare_program(options.file, options.function, options.python, options.sanitize, folder);
     trial.compiled_with = program.compiled_with;
     run.emplace(trial, options, program);
     run->try_all();
+    if (options.bench && !trial.is_wrong()) {
+      run.reset();  // no other process of it while it is timed
+      trial.timed = bench(program, options, trial);
+    }
     trial.verdict = trial.is_wrong() ? "wrong" : "exact";
   } catch (const CannotJudge& failure) {
     trial.kind = failure.kind;
     trial.reason = failure.what();
     trial.printed = failure.printed;
+    const std::string found = options.sanitize ? sanitizer_line(failure.printed) : "";
+    if (!found.empty()) {
+      trial.kind = "sanitizer";
+      trial.reason = found;
+    }
   }
+  if (!options.save.empty() && !trial.wrong_spheres.empty())
+    save_scene(options.save, trial.wrong_spheres);
   return trial;
 }
 

@@ -11,8 +11,10 @@
 #include <vector>
 
 #include "harness/judge/judge.hpp"
+#include "harness/try/bench.hpp"
 #include "harness/try/judge_stage.hpp"
 #include "harness/try/protocol.hpp"
+#include "harness/try/trial_scenes.hpp"
 
 namespace octocell::hand_in {
 
@@ -24,6 +26,9 @@ struct Options {
   double timeout_s = 10.0;  // for one scene
   double memory_gib = 4.0;
   std::size_t seed = 1;
+  bool sanitize = false;  // run with the sanitizers of C++ or CUDA
+  bool bench = false;     // if exact, time it
+  std::string save;       // where to write the first wrong scene; empty: nowhere
 };
 
 struct TriedScene {
@@ -32,6 +37,7 @@ struct TriedScene {
   std::uint64_t found;  // true pairs, or what else the function should write
   bool exact;
   double milliseconds;  // from the question to the whole answer; no benchmark
+  Part part;
 };
 
 struct Trial {
@@ -47,6 +53,9 @@ struct Trial {
   std::optional<WrongEntry> wrong_entry = {};  // the same for a stage that writes no pairs
   std::optional<judge::Cause> cause = {};      // of that, or of a larger scene
   std::string cause_at = {};                   // which
+  std::vector<Sphere> wrong_spheres = {};      // the last scene
+  Part part = Part::small;                     // in which it ended
+  std::vector<TimedScene> timed = {};
 
   [[nodiscard]] bool is_wrong() const { return wrong || wrong_entry; }
 };

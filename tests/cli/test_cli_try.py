@@ -3,11 +3,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
 
+import numpy as np
 import pytest
 from hand_in_sources import BRUTE_FORCE
 from program import ROOT, Octocell, Refused
@@ -305,3 +308,57 @@ def test_bad_calls_are_refused(
 ) -> None:
     (tmp_path / "a.txt").touch()
     assert reason in refused("try", *arguments)
+
+
+# Limits, sanitizers, and what follows after the scenes of every kind.
+
+
+def test_a_fork_bomb_is_ended(attempt: Try, monkeypatch: pytest.MonkeyPatch) -> None:
+    """All of its processes, also those that left its group."""
+    mark = f"FORK_BOMB={os.getpid()}"
+    monkeypatch.setenv(*mark.split("="))
+    text = "#include <unistd.h>\n" + at_1000("for (;;) { setsid(); fork(); }")
+    ending = attempt.ending(text, "--timeout", "60")
+    assert re.fullmatch(r"too many processes: it has \d+ processes, more than 64", ending)
+    alive = []
+    for environ in Path("/proc").glob("[0-9]*/environ"):
+        with contextlib.suppress(OSError):
+            alive += [environ] * (mark.encode() in environ.read_bytes().split(b"\0"))
+    assert alive == []
+
+
+def test_it_runs_as_another_user_than_root(attempt: Try) -> None:
+    if os.geteuid() != 0:
+        pytest.skip("not root")
+    text = "#include <cstdlib>\n#include <unistd.h>\n" + at_1000("if (geteuid() == 0) abort();")
+    assert attempt(text)["verdict"] == "exact"
+
+
+def test_the_stress_catalogue_follows(attempt: Try, tmp_path: Path) -> None:
+    huge_missing = changed("return x * x", "return r < 1e9 && x * x")
+    answer = attempt(huge_missing, "--budget", "8")
+    assert answer["verdict"] == "wrong" and answer["class"] == "stress", answer["at"]
+    saved = tmp_path / "scene.npy"
+    text = changed("uint32_t j = i + 1", "uint32_t j = i + 2")
+    assert attempt(text, "--save", str(saved))["class"] == "small"
+    assert np.load(saved).shape == (2, 4)
+
+
+@pytest.mark.parametrize(
+    ("statement", "found"),
+    [
+        ("static int* a = new int[4]; a[n % 7] = 1;", "AddressSanitizer: heap-buffer"),
+        ("volatile int m = 2147483647; m = m + 1;", "runtime error: signed integer overflow"),
+    ],
+)
+def test_sanitizers_find_what_the_answer_does_not_show(
+    attempt: Try, statement: str, found: str
+) -> None:
+    text = at_1000(statement)
+    ending = attempt.ending(text, "--sanitize")
+    assert ending.startswith("sanitizer: ") and found in ending
+
+
+def test_no_sanitizer_for_python(attempt: Try) -> None:
+    ending = attempt.ending(PYTHON, "--sanitize", name="mine.py")
+    assert ending == "no sanitizer: --sanitize is for .cpp and .cu, not for .py"

@@ -62,6 +62,7 @@ MAY_INCLUDE: dict[str, tuple[str, ...]] = {
         "harness/engine/",
         "harness/judge/",
         "harness/verify/reference/",
+        "harness/verify/stress/",
         "include/",
     ),
     "harness/doctor/": ("core/", "harness/try/"),
