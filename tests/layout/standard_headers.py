@@ -24,7 +24,7 @@ HEADERS = {
     " ranges::replace ranges::reverse ranges::set_difference ranges::set_intersection ranges::sort"
     " ranges::stable_partition ranges::stable_sort ranges::unique ranges::upper_bound",
     "array": "array",
-    "atomic": "atomic memory_order_relaxed",
+    "atomic": "atomic atomic_ref memory_order_relaxed",
     "bit": "bit_cast bit_width countr_zero endian has_single_bit popcount",
     "cctype": "isalnum isdigit",
     "charconv": "from_chars",
