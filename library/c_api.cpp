@@ -35,6 +35,7 @@ namespace {
 static_assert(sizeof(octocell_sphere) == sizeof(Sphere) &&
               alignof(octocell_sphere) == alignof(Sphere));
 static_assert(sizeof(octocell_pair) == sizeof(Pair) && alignof(octocell_pair) == alignof(Pair));
+static_assert(sizeof(octocell_shift) == sizeof(Shift) && alignof(octocell_shift) == alignof(Shift));
 static_assert(static_cast<int>(Device::cuda) == OCTOCELL_CUDA);
 
 octocell_status status_of(ErrorKind kind) {
@@ -97,6 +98,15 @@ std::span<const Sphere> spheres_of(const octocell_sphere* first, std::size_t cou
   return span_of<Sphere>(first, count);
 }
 
+Box box_of(const octocell_box& given) {
+  Box box = {};
+  for (int a = 0; a < 3; ++a) {
+    std::copy_n(given.vector[a], 3, box.vector[a]);
+    box.periodic[a] = given.periodic[a] != 0;
+  }
+  return box;
+}
+
 Options options_of(const octocell_options* given, std::size_t flag_count) {
   if (given == nullptr) return {};
   require(given->size == sizeof(octocell_options),
@@ -106,6 +116,8 @@ Options options_of(const octocell_options* given, std::size_t flag_count) {
   Options options = {.threads = given->threads,
                      .sorted = given->sorted != 0,
                      .device = static_cast<Device>(given->device)};
+  options.cutoff = given->cutoff;
+  if (given->box != nullptr) options.box = box_of(*given->box);
   if (given->flags != nullptr) options.flags = span_of<Flags>(given->flags, flag_count);
   if (given->stop != nullptr) {
     options.stop = [stop = given->stop, context = given->context] { return stop(context) != 0; };
@@ -117,6 +129,9 @@ octocell_pairs* new_list(Pairs pairs) { return new octocell_pairs{std::move(pair
 
 const octocell_pair* in_c(const Pair* pairs) {
   return reinterpret_cast<const octocell_pair*>(pairs);
+}
+const octocell_shift* in_c(std::span<const Shift> shifts) {
+  return reinterpret_cast<const octocell_shift*>(shifts.data());
 }
 octocell_pair in_c(const std::optional<Pair>& pair) {
   return pair ? octocell_pair{pair->i, pair->j} : octocell_pair{0, 0};
@@ -138,6 +153,9 @@ const octocell_pair* octocell_pairs_data(const octocell_pairs* pairs) {
   return in_c(pairs->list.data());
 }
 size_t octocell_pairs_size(const octocell_pairs* pairs) { return pairs->list.size(); }
+const octocell_shift* octocell_pairs_shifts(const octocell_pairs* pairs) {
+  return in_c(pairs->list.shifts());
+}
 void octocell_pairs_free(octocell_pairs* pairs) { delete pairs; }
 
 octocell_status octocell_find_pairs(const octocell_sphere* spheres, size_t count,
@@ -146,6 +164,16 @@ octocell_status octocell_find_pairs(const octocell_sphere* spheres, size_t count
   return with_status(error, [&] {
     *pairs = octocell::new_list(
         octocell::find_pairs(spheres_of(spheres, count), options_of(options, count)));
+  });
+}
+
+octocell_status octocell_find_pairs_between(const octocell_sphere* spheres, size_t count,
+                                            const octocell_sphere* others, size_t other_count,
+                                            const octocell_options* options, octocell_pairs** pairs,
+                                            octocell_error* error) {
+  return with_status(error, [&] {
+    *pairs = octocell::new_list(octocell::find_pairs_between(
+        spheres_of(spheres, count), spheres_of(others, other_count), options_of(options, count)));
   });
 }
 
@@ -171,6 +199,9 @@ octocell_status octocell_finder_find(octocell_finder* finder, const octocell_sph
     *pairs = in_c(found.data());
     *pair_count = found.size();
   });
+}
+const octocell_shift* octocell_finder_shifts(const octocell_finder* finder) {
+  return in_c(finder->finder.shifts());
 }
 octocell_status octocell_finder_take(octocell_finder* finder, octocell_pairs** pairs,
                                      octocell_error* error) {

@@ -24,6 +24,8 @@ struct Chunks::Inside {
   Inside(std::span<const Sphere> all, std::uint64_t pairs_per_chunk, const Options& options)
       : spheres(all), most(pairs_per_chunk), user_flags(options.flags), search(options) {
     if (most == 0) throw InputError("chunks of 0 pairs; must be 1 or more");
+    if (search.has_images())
+      throw InputError("chunks and verify: a box, a cutoff or batches cannot be used there");
     width = spheres.size();
   }
 

@@ -35,7 +35,16 @@ std::string ScenePlan::explain() const {
 ScenePlan plan(std::span<const Sphere> spheres, const Options& options) {
   return with_errors([&] {
     const PlanOptions how = library::plan_options_of(options);
-    SceneStats stats = measure({spheres, options.flags});
+    SceneView scene = {spheres, options.flags};
+    std::optional<images::ImageFinder> finder;
+    if (options.box || options.cutoff != 0.0 || !options.batch.empty()) {
+      finder.emplace(how.threads);
+      // If each two are compared, the scene itself is described.
+      images::Question question = library::question_of(scene, options.box, options.cutoff);
+      question.batch = options.batch;
+      scene = finder->searched_scene(question).value_or(scene);
+    }
+    SceneStats stats = measure(scene);
     Plan made = make_plan(stats, how);
     return ScenePlan(std::make_unique<ScenePlan::Inside>(how, std::move(stats), std::move(made)));
   });

@@ -49,13 +49,26 @@ typedef struct octocell_error {
 
 typedef enum octocell_device { OCTOCELL_CPU = 0, OCTOCELL_CUDA = 1 } octocell_device;
 
+/* Space that repeats (octocell.hpp, Options::box). */
+typedef struct octocell_box {
+  float vector[3][3]; /* one row each: x, y, z */
+  int periodic[3];    /* not 0: the scene repeats along this vector */
+} octocell_box;
+
+/* |p_i - p_j + S H| <= r_i + r_j, where S are these numbers and H are the vectors of the box. */
+typedef struct octocell_shift {
+  int32_t a, b, c;
+} octocell_shift;
+
 /* Begin with OCTOCELL_OPTIONS and change what should differ. NULL options are OCTOCELL_OPTIONS. */
 typedef struct octocell_options {
-  size_t size;           /* of this struct, for later releases */
-  int threads;           /* 0: all that this process may use */
-  int sorted;            /* not 0: pairs are sorted by (i, j) */
-  int device;            /* OCTOCELL_CPU or OCTOCELL_CUDA */
-  const uint32_t* flags; /* one word a sphere (octocell.hpp, Flags), or NULL */
+  size_t size;             /* of this struct, for later releases */
+  int threads;             /* 0: all that this process may use */
+  int sorted;              /* not 0: pairs are sorted by (i, j) */
+  int device;              /* OCTOCELL_CPU or OCTOCELL_CUDA */
+  const uint32_t* flags;   /* one word a sphere (octocell.hpp, Flags), or NULL */
+  const octocell_box* box; /* copied; or NULL: space does not repeat */
+  double cutoff;           /* is added to r_i + r_j */
   /* Called many times during a search, on the caller's thread, with `context`; if it returns
      nonzero, the search ends with OCTOCELL_STOPPED. NULL: never called. */
   int (*stop)(void* context);
@@ -63,7 +76,7 @@ typedef struct octocell_options {
 } octocell_options;
 
 #define OCTOCELL_OPTIONS \
-  { sizeof(octocell_options), 0, 1, OCTOCELL_CPU, NULL, NULL, NULL }
+  { sizeof(octocell_options), 0, 1, OCTOCELL_CPU, NULL, NULL, 0.0, NULL, NULL }
 
 /* The release, for example "0.1.0". */
 OCTOCELL_API const char* octocell_version(void);
@@ -72,12 +85,20 @@ OCTOCELL_API const char* octocell_version(void);
 typedef struct octocell_pairs octocell_pairs;
 OCTOCELL_API const octocell_pair* octocell_pairs_data(const octocell_pairs* pairs);
 OCTOCELL_API size_t octocell_pairs_size(const octocell_pairs* pairs);
+/* The shift of each pair; NULL if there was no box, or no pair. */
+OCTOCELL_API const octocell_shift* octocell_pairs_shifts(const octocell_pairs* pairs);
 OCTOCELL_API void octocell_pairs_free(octocell_pairs* pairs);
 
 /* Finds all pairs of a scene. */
 OCTOCELL_API octocell_status octocell_find_pairs(const octocell_sphere* spheres, size_t count,
                                                  const octocell_options* options,
                                                  octocell_pairs** pairs, octocell_error* error);
+
+/* Finds all pairs of a sphere of one set with one of another: i is a position in `spheres`, j one
+   in `others`. Flags cannot be used. */
+OCTOCELL_API octocell_status octocell_find_pairs_between(
+    const octocell_sphere* spheres, size_t count, const octocell_sphere* others, size_t other_count,
+    const octocell_options* options, octocell_pairs** pairs, octocell_error* error);
 
 /* Counts the pairs of a scene. Needs no memory for them. */
 OCTOCELL_API octocell_status octocell_count(const octocell_sphere* spheres, size_t count,
@@ -94,6 +115,8 @@ OCTOCELL_API octocell_status octocell_finder_find(octocell_finder* finder,
                                                   const octocell_sphere* spheres, size_t count,
                                                   const octocell_pair** pairs, size_t* pair_count,
                                                   octocell_error* error);
+/* Their shifts, valid as long; NULL without a box. */
+OCTOCELL_API const octocell_shift* octocell_finder_shifts(const octocell_finder* finder);
 /* Moves the pairs of the last octocell_finder_find() out. */
 OCTOCELL_API octocell_status octocell_finder_take(octocell_finder* finder, octocell_pairs** pairs,
                                                   octocell_error* error);

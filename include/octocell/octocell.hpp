@@ -37,6 +37,7 @@
 #include <string_view>
 #include <utility>
 
+#include "box.hpp"
 #include "error.hpp"
 #include "export.h"
 #include "types.hpp"
@@ -60,6 +61,19 @@ struct Options {
   /// One word a sphere, which says with what it may collide; or empty: with all. Functions borrow
   /// the words, a Finder copies them, Chunks borrow them as long as they live.
   std::span<const Flags> flags = {};
+  /// A box in which the scene repeats: (i, j, S) is a pair if |p_i - p_j + S H|^2 <= (r_i + r_j)^2
+  /// over the real numbers, where H are the vectors of the box. Spheres need not lie in it. One
+  /// pair may meet in several images, and a sphere may meet its own; each is a pair of its own, and
+  /// shifts() of the answer are the S. Of (i, j, S) and (j, i, -S) there is the one with i < j, of
+  /// (i, i, S) the one whose first component that is not zero is positive. Sorted means by (i, j,
+  /// S). Needs 40 bytes a pair.
+  std::optional<Box> box = {};
+  /// Is added to r_i + r_j, over the real numbers: 0, or from 2^-149 to the largest float32.
+  double cutoff = 0.0;
+  /// One number a sphere, below kMaxSpheres: only spheres with the same number can be a pair; or
+  /// empty: all can. So many small systems are searched at once. They need not be in order. With
+  /// two sets, the numbers of `spheres` come first, then those of `others`. Borrowed like flags.
+  std::span<const std::uint32_t> batch = {};
   /// Called many times during a search on the CPU, on the thread that asked for it. If it returns
   /// true, the search ends with Error `stopped`. It must be quick, and must not throw.
   std::function<bool()> stop = {};
@@ -76,9 +90,12 @@ class Pairs {
  public:
   Pairs() noexcept = default;
   Pairs(Pairs&& other) noexcept
-      : first_(std::exchange(other.first_, nullptr)), size_(std::exchange(other.size_, 0)) {}
+      : first_(std::exchange(other.first_, nullptr)),
+        shifts_(std::exchange(other.shifts_, nullptr)),
+        size_(std::exchange(other.size_, 0)) {}
   Pairs& operator=(Pairs&& other) noexcept {
     std::swap(first_, other.first_);
+    std::swap(shifts_, other.shifts_);
     std::swap(size_, other.size_);
     return *this;
   }
@@ -91,9 +108,15 @@ class Pairs {
   [[nodiscard]] const Pair* end() const noexcept { return first_ + size_; }
   const Pair& operator[](std::size_t k) const noexcept { return first_[k]; }
 
+  /// Returns the shift of each pair; an empty list if there was no box.
+  [[nodiscard]] std::span<const Shift> shifts() const noexcept {
+    return {shifts_, shifts_ == nullptr ? 0 : size_};
+  }
+
  private:
   friend struct PairsAccess;
   Pair* first_ = nullptr;
+  Shift* shifts_ = nullptr;
   std::size_t size_ = 0;
 };
 
@@ -102,6 +125,15 @@ OCTOCELL_API Pairs find_pairs(std::span<const Sphere> spheres, const Options& op
 
 /// Counts the pairs of a scene. Needs no memory for them.
 OCTOCELL_API std::uint64_t count(std::span<const Sphere> spheres, const Options& options = {});
+
+/// Finds all pairs of a sphere of one set with one of another: i is a position in `spheres`, j one
+/// in `others`. Two spheres of one set are no pair. In a box, sphere i moved by S boxes meets
+/// sphere j, for any S. Flags cannot be used.
+OCTOCELL_API Pairs find_pairs_between(std::span<const Sphere> spheres,
+                                      std::span<const Sphere> others, const Options& options = {});
+OCTOCELL_API std::uint64_t count_between(std::span<const Sphere> spheres,
+                                         std::span<const Sphere> others,
+                                         const Options& options = {});
 
 /// Finds the pairs of scene after scene, for example of the frames of a simulation. It keeps its
 /// memory and its threads, and reuses what it can prove to be still right if most spheres moved
@@ -116,6 +148,13 @@ class Finder {
   /// Returns all pairs of this frame. They are valid until the next call of any function of this
   /// object. The number of spheres may change from frame to frame.
   OCTOCELL_API std::span<const Pair> find(std::span<const Sphere> spheres);
+
+  /// Does the same for pairs of two sets, like find_pairs_between().
+  OCTOCELL_API std::span<const Pair> find_between(std::span<const Sphere> spheres,
+                                                  std::span<const Sphere> others);
+
+  /// Returns the shifts of these pairs; an empty list without a box. Valid as long as the pairs.
+  [[nodiscard]] OCTOCELL_API std::span<const Shift> shifts() const;
 
   /// Moves the pairs of the last find() out, without a copy on the CPU. The next frame is then
   /// searched from scratch. Returns an empty list if there is no answer, or if it was taken.

@@ -47,6 +47,25 @@ class LibraryC : public testing::Test {
   octocell_error error_ = {};
 };
 
+TEST_F(LibraryC, ABoxGivesShifts) {
+  const octocell_sphere two[] = {{0.5F, 5, 5, 1}, {9, 5, 5, 1}};
+  const octocell_box box = {{{10, 0, 0}, {0, 10, 0}, {0, 0, 10}}, {1, 0, 0}};
+  octocell_options options = OCTOCELL_OPTIONS;
+  options.box = &box;
+  octocell_pairs* pairs = nullptr;
+  ASSERT_EQ(octocell_find_pairs(two, 2, &options, &pairs, &error_), OCTOCELL_OK);
+  ASSERT_EQ(octocell_pairs_size(pairs), 1U);
+  const octocell_shift shift = *octocell_pairs_shifts(pairs);
+  EXPECT_EQ((Shift{shift.a, shift.b, shift.c}), (Shift{1, 0, 0}));
+  EXPECT_EQ(taken(pairs), (List{{0, 1}}));
+
+  const octocell_sphere third[] = {{0, 0, 0, 1}, {4, 5, 5, 2.5F}};
+  ASSERT_EQ(octocell_find_pairs_between(third, 2, two, 2, &options, &pairs, &error_), OCTOCELL_OK);
+  EXPECT_EQ(taken(pairs), (List{{1, 0}}));
+  options.cutoff = -1;
+  ASSERT_EQ(octocell_find_pairs(two, 2, &options, &pairs, &error_), OCTOCELL_INVALID_ARGUMENT);
+}
+
 TEST_F(LibraryC, FindsAndCounts) {
   octocell_pairs* pairs = nullptr;
   ASSERT_EQ(octocell_find_pairs(spheres_.data(), spheres_.size(), nullptr, &pairs, &error_),
