@@ -16,6 +16,7 @@
 #include "core/flags.hpp"
 #include "core/planner/explain.hpp"
 #include "harness/cli/commands.hpp"
+#include "harness/cli/find_images.hpp"
 #include "harness/cli/names.hpp"
 #include "harness/cli/own_choices.hpp"
 #include "harness/cli/scene_options.hpp"
@@ -37,6 +38,7 @@ struct Options {
   std::string predicate;
   OwnChoices own;
   LoadOptions load;
+  ImageOptions images;
   std::optional<std::string> output;
   std::optional<std::string> depth;
   int threads = 0;
@@ -165,6 +167,8 @@ void print_text(const FindReport& report) {
 void check_outputs(const Options& options) {
   if (options.output && options.output->empty())
     throw InputError("cannot write --output: the file name is empty");
+  if (options.images.shifts && options.images.shifts->empty())
+    throw InputError("cannot write --shifts: the file name is empty");
   if (options.depth && options.depth->empty())
     throw InputError("cannot write --depth: the file name is empty");
   if (options.count && options.output) {
@@ -173,13 +177,25 @@ void check_outputs(const Options& options) {
   if (options.count && (options.depth || options.depth_check)) {
     throw InputError("--count keeps no pairs, so there are no depths to write or to check");
   }
+  if (options.images.any()) {
+    question_of({}, options.images);  // or refuses
+    if (options.depth || options.depth_check || options.explain || options.load.round_input) {
+      throw InputError(
+          "--box and --cutoff: not with --depth, --depth-check, --explain or --round-input");
+    }
+    if (options.count && options.images.shifts) {
+      throw InputError("--count keeps no pairs, so there is nothing to write to --shifts");
+    }
+  }
   NamedFiles files;
   files.read_scene(options.scene, options.load.flags);
   files.write("--output", options.output);
   files.write("--depth", options.depth);
+  files.write("--shifts", options.images.shifts);
   files.require_separate();
   if (options.output) require_savable_list(*options.output);
   if (options.depth) require_savable_list(*options.depth);
+  if (options.images.shifts) require_savable_list(*options.images.shifts);
 }
 
 /// Writes what the options request. Depths are computed from the pairs.
@@ -205,6 +221,10 @@ int find(const Options& options) {
   PlanOptions plan_options = plan_options_of(how, options.own, options.threads);
   plan_options.count_only = options.count;
   const Scene scene = load_and_say(options.scene, options.load);
+  if (options.images.any()) {
+    return find_images(scene, options.images, how, plan_options,
+                       {.pairs = options.output, .count = options.count, .json = options.json});
+  }
   const std::unique_ptr<PairFinder> finder = how.backend->create();
   const Outcome outcome = find_completely(*finder, scene.view(), plan_options);
   say_if_threads_lack(outcome.plan, outcome.counts);
@@ -236,6 +256,7 @@ void add_find(CLI::App& sub, Command& command) {
   sub.description("Find every overlapping pair of a scene");
   sub.add_option("SCENE", o->scene, kSceneHelp)->required();
   add_scene_options(sub, o->load);
+  add_image_options(sub, o->images);
   sub.add_option("--backend", o->backend,
                  "A backend or a baseline (default impl_cpu, or the plug-in); see 'octocell list'");
   add_plugin_option(sub, o->plugins);

@@ -154,6 +154,20 @@ void save_pairs(const std::string& path, std::span<const Pair> pairs) {
   write_whole_files({&file, 1});
 }
 
+void save_image_pairs(const std::string& path, std::span<const Pair> pairs,
+                      const std::string& shifts_path, std::span<const Shift> shifts) {
+  std::vector<FileToWrite> files;
+  if (!path.empty()) {
+    check_name(path, Csv::never);
+    files.push_back(pairs_file(path, pairs));
+  }
+  if (!shifts_path.empty()) {
+    check_name(shifts_path, Csv::never);
+    files.push_back(npy_file(shifts_path, table_header("<i4", shifts.size(), 3), shifts));
+  }
+  if (!files.empty()) write_whole_files(files);
+}
+
 void save_depths(const std::string& path, std::span<const Sphere> spheres,
                  std::span<const Pair> pairs, const std::string& pairs_path) {
   check_name(path, Csv::never);

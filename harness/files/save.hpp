@@ -6,6 +6,7 @@
 
 #include "core/pair.hpp"
 #include "core/sphere.hpp"
+#include "include/octocell/box.hpp"
 
 namespace octocell {
 
@@ -24,6 +25,10 @@ inline void save_scene(const std::string& path, std::span<const Sphere> spheres)
   save_scene(path, SceneView{spheres});
 }
 void save_pairs(const std::string& path, std::span<const Pair> pairs);
+
+/// Writes pairs and their shifts, int32 (m, 3); either is left out if its path is empty.
+void save_image_pairs(const std::string& path, std::span<const Pair> pairs,
+                      const std::string& shifts_path, std::span<const Shift> shifts);
 
 /// Writes the depth of each pair, in the order of pairs, float32 (m,), and also the pairs unless
 /// `pairs_path` is empty. Depths are computed while they are written, so they need no memory.
