@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pairs in a box that repeats: sphere i, moved by S boxes, meets sphere j.
 #include <cstddef>
 #include <iostream>

@@ -1,209 +1,25 @@
 // SPDX-License-Identifier: MIT
 // Boxes that repeat, and cutoffs: the pairs of images, against rational numbers and all shifts.
 #include <fmt/format.h>
-#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
-#include <random>
 #include <span>
 #include <string>
-#include <tuple>
 #include <vector>
 
-#include "core/flags.hpp"
-#include "core/images/image_overlap.hpp"
-#include "harness/engine/images/find_images.hpp"
 #include "include/octocell/octocell.hpp"
+#include "tests/support/image_pairs.hpp"
 #include "tests/support/sanitized.hpp"
 
 namespace octocell {
 namespace {
 
-struct ImagePair {
-  Pair pair;
-  Shift shift;
-  friend auto operator<=>(const ImagePair&, const ImagePair&) = default;
-};
-using List = std::vector<ImagePair>;
-
-std::string text_of(const List& list) {
-  std::string text;
-  for (const auto& [p, s] : list) {
-    text += fmt::format("({}, {}; {}, {}, {}) ", p.i, p.j, s.a, s.b, s.c);
-  }
-  return text;
-}
-
-/// |p_i - p_j + S H|^2 <= (r_i + r_j + gap)^2, in rational numbers.
-bool truth(const Sphere& p, const Sphere& q, const Shift& shift, const Box& box, double gap) {
-  const float from[] = {p.x, p.y, p.z};
-  const float to[] = {q.x, q.y, q.z};
-  const std::int32_t steps[] = {shift.a, shift.b, shift.c};
-  mpq_class distance2 = 0;
-  for (int k = 0; k < 3; ++k) {
-    mpq_class along = mpq_class(from[k]) - mpq_class(to[k]);
-    for (int a = 0; a < 3; ++a) {
-      if (steps[a] != 0) along += steps[a] * mpq_class(box.vector[a][k]);
-    }
-    distance2 += along * along;
-  }
-  const mpq_class reach = mpq_class(p.r) + mpq_class(q.r) + mpq_class(gap);
-  return distance2 <= reach * reach;
-}
-
-bool first_is_positive(const Shift& s) { return s > Shift{0, 0, 0}; }
-
-/// The same; float64 decides what is far from touching, whatever it rounds.
-bool overlaps(const Sphere& p, const Sphere& q, const Shift& shift, const Box& box, double gap) {
-  const float from[] = {p.x, p.y, p.z};
-  const float to[] = {q.x, q.y, q.z};
-  const std::int32_t steps[] = {shift.a, shift.b, shift.c};
-  double distance2 = 0.0;
-  double size = 0.0;
-  for (int k = 0; k < 3; ++k) {
-    double along = static_cast<double>(from[k]) - to[k];
-    size += std::abs(from[k]) + std::abs(to[k]);
-    for (int a = 0; a < 3; ++a) {
-      if (steps[a] == 0) continue;
-      along += steps[a] * static_cast<double>(box.vector[a][k]);
-      size += std::abs(steps[a] * static_cast<double>(box.vector[a][k]));
-    }
-    distance2 += along * along;
-  }
-  const double distance = std::sqrt(distance2);
-  const double reach = static_cast<double>(p.r) + q.r + gap;
-  if (std::abs(distance - reach) > 1e-9 * (size + reach)) return distance < reach;
-  return truth(p, q, shift, box, gap);
-}
-
-/// All pairs, by trying all shifts from -most to most of each periodic axis, around `near`.
-List all_by_trying(std::span<const Sphere> spheres, const Box& box, int most, double gap = 0.0,
-                   std::span<const Shift> homes = {}) {
-  List all;
-  const int m[] = {box.periodic[0] ? most : 0, box.periodic[1] ? most : 0,
-                   box.periodic[2] ? most : 0};
-  for (std::uint32_t i = 0; i < spheres.size(); ++i) {
-    for (std::uint32_t j = i; j < spheres.size(); ++j) {
-      const Shift around = homes.empty() ? Shift{0, 0, 0}
-                                         : Shift{homes[i].a - homes[j].a, homes[i].b - homes[j].b,
-                                                 homes[i].c - homes[j].c};
-      for (int a = -m[0]; a <= m[0]; ++a) {
-        for (int b = -m[1]; b <= m[1]; ++b) {
-          for (int c = -m[2]; c <= m[2]; ++c) {
-            const Shift s = {around.a + a, around.b + b, around.c + c};
-            if (i == j && !first_is_positive(s)) continue;
-            if (overlaps(spheres[i], spheres[j], s, box, gap)) all.push_back({{i, j}, s});
-          }
-        }
-      }
-    }
-  }
-  std::ranges::sort(all);
-  return all;
-}
-
-List listed(std::span<const Pair> pairs, std::span<const Shift> shifts) {
-  EXPECT_EQ(pairs.size(), shifts.size());
-  List list;
-  for (std::size_t k = 0; k < std::min(pairs.size(), shifts.size()); ++k) {
-    list.push_back({pairs[k], shifts[k]});
-  }
-  return list;
-}
-
-List found(std::span<const Sphere> spheres, const Options& options) {
-  const Pairs pairs = find_pairs(spheres, options);
-  return listed({pairs.data(), pairs.size()}, pairs.shifts());
-}
-
-/// Finds the overlapping pairs of a scene in open space, by rational numbers.
-OwnedPairs by_definition(SceneView scene) {
-  const Box open = {.vector = {}, .periodic = {false, false, false}};
-  std::vector<Pair> list;
-  for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
-    for (std::uint32_t j = i + 1; j < scene.spheres.size(); ++j) {
-      const bool may = scene.flags.empty() || may_collide(scene.flags[i], scene.flags[j]);
-      if (may && overlaps(scene.spheres[i], scene.spheres[j], {0, 0, 0}, open, 0.0)) {
-        list.push_back({i, j});
-      }
-    }
-  }
-  OwnedPairs owned;
-  owned.items.allocate(list.size());
-  owned.count = list.size();
-  std::ranges::copy(list, owned.items.data());
-  return owned;
-}
-
-/// Both ways, whichever the estimate would choose.
-void expect_either_way(std::span<const Sphere> spheres, const Options& options,
-                       const List& expected) {
-  images::Question question = {.scene = {spheres, options.flags}, .gap = options.cutoff};
-  if (options.box) question.box = *options.box;
-  images::ImageFinder finder(2);
-  for (const images::Way way : {images::Way::search, images::Way::compare}) {
-    const images::ImagePairs pairs = finder.find(question, {.way = way}, by_definition);
-    const List list = listed({pairs.pairs.items.data(), pairs.pairs.count},
-                             {pairs.shifts.data(), pairs.pairs.count});
-    EXPECT_EQ(text_of(list), text_of(expected)) << static_cast<int>(way);
-  }
-}
-
-void expect_found(std::span<const Sphere> spheres, const Options& options, const List& expected) {
-  EXPECT_EQ(text_of(found(spheres, options)), text_of(expected));
-  EXPECT_EQ(count(spheres, options), expected.size());
-  expect_either_way(spheres, options, expected);
-  Options unsorted = options;
-  unsorted.sorted = false;
-  List any = found(spheres, unsorted);
-  std::ranges::sort(any);
-  EXPECT_TRUE(any == expected);
-  Finder finder(options);
-  for (int frame = 0; frame < 2; ++frame) {
-    const auto pairs = finder.find(spheres);
-    EXPECT_TRUE(listed(pairs, finder.shifts()) == expected);
-  }
-  const Pairs taken = finder.take();
-  EXPECT_TRUE(listed({taken.data(), taken.size()}, taken.shifts()) == expected);
-}
-
-Box box_of(float ax, float bx, float by, float cx, float cy, float cz) {
-  return {.vector = {{ax, 0, 0}, {bx, by, 0}, {cx, cy, cz}}};
-}
-Box cube(float side) { return box_of(side, 0, side, 0, 0, side); }
-
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : bits_(seed) {}
-  double real(double low, double high) {
-    return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
-  }
-  int below(int end) { return static_cast<int>(bits_() % static_cast<std::uint64_t>(end)); }
-
- private:
-  std::mt19937_64 bits_;
-};
-
-std::vector<Sphere> in_box(Random& random, int n, const Box& box, double r_least, double r_most) {
-  std::vector<Sphere> spheres;
-  for (int i = 0; i < n; ++i) {
-    double at[3] = {0, 0, 0};
-    for (const auto& vector : box.vector) {
-      const double along = random.real(0, 1);
-      for (int k = 0; k < 3; ++k) at[k] += along * vector[k];
-    }
-    spheres.push_back({static_cast<float>(at[0]), static_cast<float>(at[1]),
-                       static_cast<float>(at[2]),
-                       static_cast<float>(random.real(r_least, r_most))});
-  }
-  return spheres;
-}
+using namespace image_tests;
 
 TEST(Images, ASphereMeetsTheOtherSideOfTheBox) {
   const std::vector<Sphere> spheres = {{0.5F, 5, 5, 1}, {9, 5, 5, 1}, {5, 5, 5, 1}};
@@ -453,116 +269,6 @@ TEST(Images, InvalidSpheresAndCutoffsAreNamed) {
   EXPECT_THROW(count({}, {.cutoff = -1.0}), Error);
   EXPECT_THROW(count({}, {.cutoff = std::numeric_limits<double>::infinity()}), Error);
   EXPECT_EQ(count({}, {.box = cube(3)}), 0U);
-}
-
-/// A random case that is as near to touching as float32 can make it.
-ImageTest near_tangent(Random& random, Box& box) {
-  const double scale = std::ldexp(1.0, random.below(40) - 20);
-  for (auto& vector : box.vector) {
-    for (float& x : vector) x = static_cast<float>(random.real(-1, 1) * scale);
-  }
-  ImageTest t = {};
-  // With the last, products and sums lose digits in float64.
-  const int most[] = {3, 1 << 20, 1 << 29};
-  const int m = most[random.below(3)];
-  t.shift = {random.below(2 * m) - m, random.below(2 * m) - m, random.below(2 * m) - m};
-  const double d[] = {random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)};
-  double at[3];
-  const std::int32_t steps[] = {t.shift.a, t.shift.b, t.shift.c};
-  const auto place = [&] { return static_cast<float>(random.real(-2, 2) * scale); };
-  t.p = {place(), place(), place(), 0};
-  const float from[] = {t.p.x, t.p.y, t.p.z};
-  for (int k = 0; k < 3; ++k) {
-    at[k] = from[k] + d[k] * scale;
-    for (int a = 0; a < 3; ++a) at[k] += steps[a] * static_cast<double>(box.vector[a][k]);
-  }
-  t.q = {static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2]), 0};
-  const float to[] = {t.q.x, t.q.y, t.q.z};
-  double distance2 = 0.0;
-  for (int k = 0; k < 3; ++k) {
-    double along = static_cast<double>(from[k]) - to[k];
-    for (int a = 0; a < 3; ++a) along += steps[a] * static_cast<double>(box.vector[a][k]);
-    distance2 += along * along;
-  }
-  const double distance = std::sqrt(distance2);
-  t.p.r = static_cast<float>(distance * random.real(0, 1));
-  t.q.r = std::max(0.0F, static_cast<float>(distance - t.p.r));
-  if (random.below(2) == 0) {
-    t.q.r = std::nextafter(t.q.r, 0.0F);
-    t.gap = std::max(0.0, (distance - t.p.r) - t.q.r);
-    if (t.gap < kLeastGap) t.gap = 0.0;
-  }
-  return t;
-}
-
-TEST(Images, NearTangentPairsAreDecidedAsByRationalNumbers) {
-  Random random(11);
-  int overlaps = 0;
-  int uncertain = 0;
-  const int tries = kSanitized ? 5'000 : 50'000;
-  for (int k = 0; k < tries; ++k) {
-    Box box = {};
-    const ImageTest t = near_tangent(random, box);
-    const bool expected = truth(t.p, t.q, t.shift, box, t.gap);
-    overlaps += expected ? 1 : 0;
-    const Verdict verdict = exact::image_float64_test(t, box);
-    uncertain += verdict == Verdict::uncertain ? 1 : 0;
-    if (verdict != Verdict::uncertain) {
-      ASSERT_EQ(verdict == Verdict::overlap, expected) << k;
-    }
-    ASSERT_EQ(exact::image_integer_test(t, box), expected) << k;
-  }
-  // Both answers and both levels occur.
-  EXPECT_GT(overlaps, tries / 10);
-  EXPECT_LT(overlaps, tries - tries / 10);
-  EXPECT_GT(uncertain, tries / 20);
-  EXPECT_LT(uncertain, tries);
-}
-
-/// How many near-tangent pairs are tried; a long run sets OCTOCELL_NEAR_TANGENT.
-long near_tangent_pairs() {
-  const char* const given = std::getenv("OCTOCELL_NEAR_TANGENT");
-  return given != nullptr ? static_cast<long>(std::strtoull(given, nullptr, 10))
-         : kSanitized     ? 20'000
-                          : 300'000;
-}
-
-TEST(Images, NearTangentPairsAreDecidedInFloat64AsByIntegers) {
-  Random random(13);
-  const long tries = near_tangent_pairs();
-  long decided = 0;
-  for (long k = 0; k < tries; ++k) {
-    Box box = {};
-    const ImageTest t = near_tangent(random, box);
-    const Verdict verdict = exact::image_float64_test(t, box);
-    if (verdict == Verdict::uncertain) continue;
-    ++decided;
-    ASSERT_EQ(verdict == Verdict::overlap, exact::image_integer_test(t, box)) << k;
-  }
-  EXPECT_GT(decided, tries / 3);
-}
-
-TEST(Images, IntegersHoldTheLargestAndTheSmallestNumbers) {
-  constexpr float kMax = std::numeric_limits<float>::max();
-  constexpr float kMin = std::numeric_limits<float>::denorm_min();
-  constexpr std::int32_t kSteps = std::numeric_limits<std::int32_t>::max();
-  const float values[] = {0, kMin, -kMin, 1, -1, kMax, -kMax};
-  Random random(12);
-  const auto any = [&] { return values[random.below(7)]; };
-  const std::int32_t steps[] = {0, 1, -1, kSteps, -kSteps - 1};
-  for (int k = 0; k < 20'000; ++k) {
-    const Box box = {
-        .vector = {{any(), any(), any()}, {any(), any(), any()}, {any(), any(), any()}}};
-    const double gaps[] = {0.0, kLeastGap, 1.0 + 0x1p-52, kMax, std::nextafter(kLeastGap, 1.0)};
-    const ImageTest t = {
-        .p = {any(), any(), any(), std::abs(any())},
-        .q = {any(), any(), any(), std::abs(any())},
-        .shift = {steps[random.below(5)], steps[random.below(5)], steps[random.below(5)]},
-        .gap = gaps[random.below(5)]};
-    const bool expected = truth(t.p, t.q, t.shift, box, t.gap);
-    ASSERT_EQ(exact::image_integer_test(t, box), expected) << k;
-    ASSERT_EQ(images_overlap(t, box), expected) << k;
-  }
 }
 
 }  // namespace
