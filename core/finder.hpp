@@ -133,6 +133,7 @@ inline Stages stages_after_bounds(const Plan& plan, FrameMode mode = FrameMode::
   if (plan.nothing_to_find || mode == FrameMode::unchanged) return {};
   const Stages tests = Stages().with(Stage::pair_tests).with(Stage::resolve);
   if (plan.method == Method::brute_force || mode == FrameMode::neighbor_list) return tests;
+  if (plan.method == Method::tiles) return tests.with(Stage::cell_ids);  // sorts within tiles
   return tests.with(Stage::cell_ids).with(Stage::sort).with(Stage::cell_index);
 }
 

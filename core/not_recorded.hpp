@@ -11,6 +11,9 @@ inline constexpr std::string_view kNoControlBits =
 inline constexpr std::string_view kInOrder = "the ids were in order: nothing was sorted";
 inline constexpr std::string_view kRowsInstead = "half_shell has rows of cells instead";
 inline constexpr std::string_view kNoRows = "only half_shell has rows";
-inline constexpr std::string_view kNoCandidates = "half_shell notes only spheres that may overlap";
+inline constexpr std::string_view kTilesInstead =
+    "method tiles has no ids: spheres are put into tiles and sorted there, in shared memory";
+inline constexpr std::string_view kNoCandidates =
+    "half_shell and tiles note only spheres that may overlap";
 
 }  // namespace octocell::not_recorded

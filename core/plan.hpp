@@ -12,14 +12,15 @@
 #include "core/grid.hpp"
 #include "core/precision.hpp"
 #include "core/skips.hpp"
+#include "core/tiles.hpp"
 
 namespace octocell {
 
-enum class Method : std::uint8_t { home_phantom, half_shell, brute_force };
+enum class Method : std::uint8_t { home_phantom, half_shell, brute_force, tiles };
 enum class Rule : std::uint8_t { lowest_cell, chapter32, as_written };
 
-inline constexpr std::array<std::string_view, 3> kMethodNames = {"home_phantom", "half_shell",
-                                                                 "brute_force"};
+inline constexpr std::array<std::string_view, 4> kMethodNames = {"home_phantom", "half_shell",
+                                                                 "brute_force", "tiles"};
 inline constexpr std::array<std::string_view, 3> kRuleNames = {"lowest_cell", "chapter32",
                                                                "as_written"};
 constexpr std::string_view name_of(Method m) { return kMethodNames[static_cast<std::size_t>(m)]; }
@@ -31,6 +32,7 @@ struct Capacities {
   std::uint64_t cells = 0;            // entries of the cell index
   std::uint64_t uncertain_pairs = 0;  // pairs that float32 cannot decide
   std::uint64_t pairs = 0;
+  std::uint32_t tile_records = 0;  // of one tile: its spheres and copies
 };
 
 /// What the plan assumes about the scene. Stage 1 checks it again on the data that it is given.
@@ -100,9 +102,10 @@ inline constexpr const char* kFlagsBroken =
 struct Plan {
   Method method = Method::home_phantom;
   Rule rule = Rule::lowest_cell;
-  Grid grid;                               // for method home_phantom
-  Levels levels;                           // for method half_shell
-  int key_bits = 0;                        // every cell id is below 2^key_bits
+  Grid grid;         // for method home_phantom
+  Levels levels;     // for method half_shell, and for tiles if they do not fit
+  Tiles tiles;       // for method tiles
+  int key_bits = 0;  // every cell id is below 2^key_bits
   Predicate predicate = Predicate::exact;  // what the user chose
   PairTest test = PairTest::filter_safe;   // the test that this predicate needs for this scene
   Packing packing;                         // for packed tests
@@ -128,6 +131,7 @@ struct Counts {
   std::uint64_t candidates = 0;  // pairs of spheres looked at
   std::uint64_t uncertain_pairs = 0;
   std::uint64_t pairs = 0;
+  std::uint32_t tile_records = 0;  // of the fullest tile: its spheres and copies
   bool over_candidate_limit = false;
   Skips used;  // what this run left out because its data allowed it; Plan::taken has the plan's own
                // skips
@@ -142,6 +146,7 @@ struct Counts {
 /// nor pairs.
 inline bool fits(const Counts& found, const Capacities& room, bool count_only) {
   return found.ids <= room.ids && found.cells <= room.cells &&
+         found.tile_records <= room.tile_records &&
          (count_only ||
           (found.uncertain_pairs <= room.uncertain_pairs && found.pairs <= room.pairs));
 }

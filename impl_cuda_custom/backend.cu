@@ -14,6 +14,7 @@
 #include "impl_cuda_custom/coherence/coherence.cuh"
 #include "impl_cuda_custom/device.cuh"
 #include "impl_cuda_custom/device_runs.cuh"
+#include "impl_cuda_custom/tiles/tiles.cuh"
 
 namespace octocell::cuda_custom {
 namespace {
@@ -60,6 +61,7 @@ class CudaBackend final : public GridPairFinder {
     }
     coherence_.flags_differ(w_);
     make_room();
+    if (w_.tiles()) tiles::prepare(w_);
     coherence_.reset(w_);
     update(scene);
   }
@@ -110,6 +112,7 @@ class CudaBackend final : public GridPairFinder {
     found.candidates = state.candidates;
     found.uncertain_pairs = state.uncertain_pairs;
     found.pairs = state.pairs;
+    found.tile_records = state.tile_records;
     found.over_candidate_limit =
         state.mode == FrameMode::search && state.candidates > w_.plan.candidate_limit;
     found.plan_violation = words_for(state.violations);
@@ -177,7 +180,7 @@ class CudaBackend final : public GridPairFinder {
   void write_down(Stage stage, RunRecord& record) override {
     cuda_custom::write_down(w_, stage, record);
   }
-  [[nodiscard]] bool bounds_with_cell_ids() const override { return w_.half_shell(); }
+  [[nodiscard]] bool bounds_with_cell_ids() const override { return w_.half_shell() || w_.tiles(); }
   /// Returns the stages that should have been queued. The host reads them while the device
   /// continues with the queued work.
   Stages missed_stages() override {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Stage 1, bounds: are the plan's assumptions about the scene still true?
 // Reads spheres. Writes a violation, or nothing; initializes State.
-// Cost: one pass, 16 bytes a sphere; none for half_shell, whose stage 2 makes the same checks.
+// Cost: one pass, 16 bytes a sphere; none for half_shell and tiles, whose stage 2 makes the same
+//       checks.
 // Idea: the plan's facts are limits, so each sphere is compared with them by itself. Nothing has to
 //       be reduced, and if all is well nothing is written.
 #include <cstdint>
@@ -16,7 +17,7 @@ constexpr int kSpheresPerThread = 4;  // that many loads are in flight at once
 constexpr int kSpheresPerBlock = kBlockThreads * kSpheresPerThread;
 
 /// Initializes State on the device: a copy from the host would need memory that outlives it. Also
-/// clears the counters of half_shell's stage 2.
+/// clears the counters of stage 2.
 __global__ void open_state_kernel(State* state, State opening, std::uint32_t* counters,
                                   std::uint64_t counter_count) {
   if (threadIdx.x == 0) *state = opening;
@@ -51,16 +52,27 @@ State opening_state(const Workspace& w) {
   return state;
 }
 
+/// The counters that stage 2 of half_shell and of tiles adds to.
+struct Counters {
+  std::uint32_t* words = nullptr;
+  std::uint64_t count = 0;
+};
+Counters counters_of(Workspace& w) {
+  if (w.tiles()) return {w.tile_sizes.data(), w.plan.tiles.tile_count()};
+  if (!w.half_shell()) return {};
+  return {reinterpret_cast<std::uint32_t*>(w.sort_scratch.data()), w.sorter_now().zeroed_words()};
+}
+
 }  // namespace
 
 void bounds(Workspace& w) {
   if (w.coherent()) return coherence::open_frame(w);
   constexpr int kOpeningThreads = 1024;
-  open_state_kernel<<<1, kOpeningThreads, 0, w.stream>>>(
-      w.state.data(), opening_state(w), reinterpret_cast<std::uint32_t*>(w.sort_scratch.data()),
-      w.half_shell() ? w.sorter_now().zeroed_words() : 0);
+  const Counters counters = counters_of(w);
+  open_state_kernel<<<1, kOpeningThreads, 0, w.stream>>>(w.state.data(), opening_state(w),
+                                                         counters.words, counters.count);
   cuda::check_launch();
-  if (w.sphere_count() == 0 || w.half_shell()) return;
+  if (w.sphere_count() == 0 || w.half_shell() || w.tiles()) return;
   bounds_kernel<<<blocks_for(w.sphere_count(), kSpheresPerBlock), kBlockThreads, 0, w.stream>>>(
       w.spheres.data(), w.sphere_count(), w.plan.facts, w.state.data());
   cuda::check_launch();

@@ -10,6 +10,7 @@
 #include "core/as_written.hpp"
 #include "impl_cuda_custom/cell_box.cuh"
 #include "impl_cuda_custom/half_shell/cell_ids.cuh"
+#include "impl_cuda_custom/tiles/tiles.cuh"
 
 namespace octocell::cuda_custom {
 namespace {
@@ -185,6 +186,7 @@ CellIdsJob job_of(Workspace& w) {
 
 void cell_ids(Workspace& w) {
   if (w.plan.method == Method::half_shell) return half_shell::cell_ids(w);
+  if (w.plan.method == Method::tiles) return tiles::partition(w);
   if (w.sphere_count() == 0) return;
   const CellIdsJob job = job_of(w);
   const unsigned blocks = blocks_for(w.sphere_count());

@@ -16,6 +16,7 @@
 #include "impl_cuda_custom/half_shell/pair_tests.cuh"
 #include "impl_cuda_custom/pair_sinks.cuh"
 #include "impl_cuda_custom/pair_test.cuh"
+#include "impl_cuda_custom/tiles/tiles.cuh"
 
 namespace octocell::cuda_custom {
 namespace {
@@ -228,6 +229,7 @@ void test_columns(Workspace& w, std::uint64_t most_entries) {
 }  // namespace
 
 void pair_tests(Workspace& w) {
+  if (w.plan.method == Method::tiles) return tiles::find_in_tiles(w);
   if (w.plan.method == Method::half_shell) {
     if (w.may_take(FrameMode::search)) half_shell::pair_tests(w);
     if (w.may_take(FrameMode::neighbor_list)) coherence::test_neighbor_list(w);

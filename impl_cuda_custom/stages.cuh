@@ -47,8 +47,10 @@ struct State {
   std::uint32_t blocks_done = 0;  // of stage 2
   FrameMode mode = FrameMode::search;
   std::uint32_t out_of_order = 0;  // half_shell's ids are unsorted, or were not checked
+  std::uint32_t tile_records = 0;  // of the fullest tile, if one has more than there is room for
+  std::uint32_t unused = 0;
 };
-static_assert(sizeof(State) == 9 * 8 + 4 * 4);
+static_assert(sizeof(State) == 9 * 8 + 6 * 4);
 
 /// If a sphere meets more cells than this, many blocks write its phantoms, not one.
 inline constexpr std::uint64_t kWidePhantoms = 2048;
@@ -109,6 +111,8 @@ struct Workspace {
   cuda::DeviceArray<Sphere> sorted_spheres;       // [spheres + kReadBehind], half_shell only
   cuda::DeviceArray<PackedSphere> sorted_packed;  // the same, packed tests only
   cuda::DeviceArray<std::uint32_t> cell_starts;   // see StartsShape
+  cuda::DeviceArray<TileRecord> tile_records;     // [tiles][plan.capacity.tile_records]
+  cuda::DeviceArray<std::uint32_t> tile_sizes;    // [tiles]
   cuda::DeviceArray<Pair> uncertain_pairs;        // [plan.capacity.uncertain_pairs]
   cuda::DeviceArray<Pair> pairs;                  // [plan.capacity.pairs]
 
@@ -134,6 +138,11 @@ struct Workspace {
   [[nodiscard]] bool half_shell() const {
     return plan.method == Method::half_shell && !plan.nothing_to_find && sphere_count() > 0 &&
            plan.levels.count > 0 && plan.capacity.ids >= sphere_count();
+  }
+  /// The same for method tiles. `ids` have room for half_shell, in case the tiles do not fit.
+  [[nodiscard]] bool tiles() const {
+    return plan.method == Method::tiles && !plan.nothing_to_find && sphere_count() > 0 &&
+           plan.capacity.ids >= sphere_count();
   }
   /// Returns what a frame may reuse from the last. Plans that only count keep no pairs.
   [[nodiscard]] coherence::Allowed allowed() const {
@@ -177,7 +186,7 @@ struct Workspace {
     visit(state, 1);
     visit(spheres, sphere_count());
     visit(flags, scene.flags.size());
-    for (auto& side : ids) visit(side, words_of_side(room.ids));
+    for (auto& side : ids) visit(side, tiles() ? 0 : words_of_side(room.ids));
     const bool phantoms = plan.method == Method::home_phantom;
     visit(wide_spheres, phantoms ? room.ids / kWidePhantoms : 0);
     const std::uint64_t grown_scratch = grown_sorter ? grown_sorter->scratch_bytes() : 0;
@@ -190,6 +199,9 @@ struct Workspace {
     const std::uint32_t grown_starts =
         starts_shape(plan.skin.levels, plan.facts.sphere_count).starts();
     visit(cell_starts, half_shell() ? std::max(starts, grown_starts) : 0);
+    const std::uint64_t tile_count = tiles() ? plan.tiles.tile_count() : 0;
+    visit(tile_records, tile_count * room.tile_records);
+    visit(tile_sizes, tile_count);
     visit(uncertain_pairs, room.uncertain_pairs);
     visit(pairs, room.pairs);
     visit(history, coherent() ? 1 : 0);

@@ -44,6 +44,18 @@ std::vector<Considered> in_order(std::vector<Considered> found) {
   return found;
 }
 
+/// Method tiles leaves out stages 2 to 4 as others know them.
+void lack_ids(RunRecord& record) {
+  for (RecordedIds* ids : {&record.ids, &record.sorted}) {
+    ids->cell_ids.lack(not_recorded::kTilesInstead);
+    ids->objects.lack(not_recorded::kTilesInstead);
+  }
+  record.passes.lack(not_recorded::kTilesInstead);
+  record.cells.lack(not_recorded::kTilesInstead);
+  record.rows.lack(not_recorded::kTilesInstead);
+  record.control_bits.lack(not_recorded::kNoControlBits);
+}
+
 void copy_index(Workspace& w, const State& state, RunRecord& record) {
   record.cells.lack("the sorted ids are the index: no list of cells is made");
   record.rows.lack("the sorted ids are the index: no list of rows is made");
@@ -56,7 +68,7 @@ void copy_pairs(Workspace& w, const State& state, RunRecord& record) {
   if (state.uncertain_pairs <= room.uncertain_pairs) {
     record.uncertain.set(copy_of(w, w.uncertain_pairs.data(), state.uncertain_pairs));
   }
-  if (w.half_shell()) {
+  if (w.half_shell() || w.tiles()) {
     record.considered.lack(not_recorded::kNoCandidates);
   } else {
     const std::uint64_t count = copy_of(w, w.considered_count.data(), 1).front();
@@ -73,6 +85,7 @@ void write_down(Workspace& w, Stage stage, RunRecord& record) {
   if (stage == Stage::bounds && w.brute_force()) {
     open_considered(w, w.sphere_count() * (w.sphere_count() - 1) / 2);
   }
+  if (stage == Stage::cell_ids && w.tiles()) return lack_ids(record);
   if (stage == Stage::cell_ids) {
     copy_ids(w, state, w.side(0), record.ids);
     if (w.plan.rule == Rule::chapter32) {

@@ -55,12 +55,14 @@ void lay_cells(Plan& plan, const SceneStats& stats, const PlanOptions& options) 
     plan.grid = choose_grid(stats, options);
     plan.key_bits = plan.grid.key_bits;
   }
-  if (plan.method == Method::half_shell) {
+  if (plan.method == Method::tiles) plan.tiles = make_tiles(stats);
+  if (plan.method == Method::half_shell || plan.method == Method::tiles) {
     plan.levels = cheapest_levels(stats, options.allowed, options.costs,
                                   options.forced.has(Skip::wide_cells) ? 2 : 1);
     plan.key_bits = key_bits_of(plan.levels);
     const bool may_reuse = plan.moving && !options.count_only;
-    if (may_reuse) plan.skin = skin_cells(stats, options.allowed, options.costs);
+    if (may_reuse && plan.method == Method::half_shell)
+      plan.skin = skin_cells(stats, options.allowed, options.costs);
   }
   if (plan.method != Method::brute_force && !options.allowed.has(Skip::key_bits)) {
     plan.key_bits = plan.skin.key_bits = kIdBits;
@@ -69,7 +71,7 @@ void lay_cells(Plan& plan, const SceneStats& stats, const PlanOptions& options) 
 
 /// Returns true if any cells are correct. Rule chapter32 needs homes that are not clamped.
 bool is_free(const Plan& plan) {
-  return plan.method == Method::half_shell ||
+  return plan.method == Method::half_shell || plan.method == Method::tiles ||
          (plan.method == Method::home_phantom && plan.rule == Rule::lowest_cell);
 }
 

@@ -67,7 +67,7 @@ WorkEstimate estimate_work(const SceneStats& stats, const Grid& grid, const Cost
 }
 
 double estimate_cost(const SceneStats& stats, const Plan& plan, const Costs& costs) {
-  if (plan.method == Method::half_shell) {
+  if (plan.method == Method::half_shell || plan.method == Method::tiles) {
     return costs.per_grid + estimate_cost(stats, plan.levels, plan.key_bits, costs);
   }
   if (plan.method == Method::home_phantom) {

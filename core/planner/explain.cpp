@@ -47,9 +47,19 @@ std::string levels_of(const Levels& levels) {
   return text;
 }
 
+std::string tiles_of(const Plan& plan) {
+  const Tiles& tiles = plan.tiles;
+  return fmt::format(
+      "tiles: {} x {} x {} of {} x {} x {} cells of side {:g}, each with room for {} spheres and "
+      "copies; half_shell if one has more than {}",
+      tiles.count[0], tiles.count[1], tiles.count[2], tiles.width[0].units, tiles.width[1].units,
+      tiles.width[2].units, tiles.grid.cell_side, plan.capacity.tile_records, kMostTileRecords);
+}
+
 std::string method_of(const Plan& plan) {
   if (plan.method == Method::brute_force) return "brute_force: every pair is tested";
   if (plan.method == Method::half_shell) return levels_of(plan.levels);
+  if (plan.method == Method::tiles) return tiles_of(plan);
   if (plan.rule == Rule::as_written) {
     return fmt::format(
         "home_phantom, rule as_written: the text's own cells of side {:g} (a "
@@ -61,6 +71,7 @@ std::string method_of(const Plan& plan) {
 
 std::string sort_of(const Plan& plan) {
   if (plan.method == Method::brute_force) return "none";
+  if (plan.method == Method::tiles) return "by counting, within each tile";
   const int passes = sort_passes(plan.key_bits, plan.sort_digit_bits);
   return fmt::format("radix sort of ids of {} bits, {} pass{} of up to {} bits", plan.key_bits,
                      passes, passes == 1 ? "" : "es", plan.sort_digit_bits);
@@ -86,8 +97,8 @@ std::string fact_of(Skip skip, const SceneStats& stats, const Plan& plan, bool t
           "{} spheres have {:.3g} pairs", f.sphere_count,
           0.5 * static_cast<double>(f.sphere_count) * (static_cast<double>(f.sphere_count) - 1.0));
     case Skip::phantoms:
-      return plan.method == Method::half_shell ? "cells are a diameter wide or more"
-                                               : "half_shell would cost more, or is not allowed";
+      return plan.method != Method::home_phantom ? "cells are a diameter wide or more"
+                                                 : "half_shell would cost more, or is not allowed";
     case Skip::wide_cells:
       return fmt::format("radii differ by a factor of {:.3g}{}",
                          f.r_min_nonzero > 0.0F ? f.r_max / f.r_min_nonzero : 1.0F,
@@ -133,7 +144,7 @@ std::optional<double> saving_of(Skip skip, const SceneStats& stats, const Plan& 
 }
 
 bool can_matter(Skip skip, const Plan& plan) {
-  const bool has_ids = plan.method != Method::brute_force;
+  const bool has_ids = plan.method != Method::brute_force && plan.method != Method::tiles;
   if (skip == Skip::sort) return has_ids;
   return is_planned(skip) || plan.moving;
 }

@@ -65,14 +65,6 @@ bool periods_have(const Grid& grid, const double (&cells)[3]) {
   return true;
 }
 
-CellWidth width_of(std::uint32_t units) {
-  CellWidth width;
-  width.units = units;
-  width.reciprocal_bits = kReciprocalBits + static_cast<int>(std::bit_width(units - 1));
-  width.reciprocal = ((std::uint64_t{1} << width.reciprocal_bits) + units - 1) / units;
-  return width;
-}
-
 /// Makes a grid with units of 2^k. `columns` says how many columns a cell is cut into along x.
 Grid grid_with_unit(const PlanFacts& facts, int k, double cell_side, std::uint32_t columns,
                     int most_bits) {
@@ -82,8 +74,8 @@ Grid grid_with_unit(const PlanFacts& facts, int k, double cell_side, std::uint32
   // cell_side / unit is exact: unit is a power of two.
   const auto units = static_cast<std::uint32_t>(
       std::clamp(std::ceil(cell_side / unit), 1.0, double{kMaxUnitsPerCell}));
-  grid.width[0] = width_of((units + columns - 1) / columns);
-  grid.width[1] = grid.width[2] = width_of(units);
+  grid.width[0] = cell_width((units + columns - 1) / columns);
+  grid.width[1] = grid.width[2] = cell_width(units);
   grid.cell_side = units * unit;
   place_axes(grid, facts);
   number_cells(grid, most_bits);
@@ -91,6 +83,14 @@ Grid grid_with_unit(const PlanFacts& facts, int k, double cell_side, std::uint32
 }
 
 }  // namespace
+
+CellWidth cell_width(std::uint32_t units) {
+  CellWidth width;
+  width.units = units;
+  width.reciprocal_bits = kReciprocalBits + static_cast<int>(std::bit_width(units - 1));
+  width.reciprocal = ((std::uint64_t{1} << width.reciprocal_bits) + units - 1) / units;
+  return width;
+}
 
 double farthest_ulp(const PlanFacts& facts, float extent) {
   float farthest = 0.0F;

@@ -45,9 +45,12 @@ Capacities first_capacities(const SceneStats& stats, const Plan& plan) {
     room.ids = id_capacity(stats, plan);
     room.cells = room.ids / 2 + 1;
   }
-  if (plan.method == Method::half_shell) {
+  if (plan.method == Method::half_shell || plan.method == Method::tiles) {
     room.ids = stats.facts.sphere_count;
     room.cells = stats.facts.sphere_count;  // rows: each holds a sphere
+  }
+  if (plan.method == Method::tiles) {
+    room.tile_records = tile_room(plan.tiles, stats.facts.sphere_count);
   }
   room.pairs = pair_capacity(stats.facts.sphere_count, plan.count_only);
   room.uncertain_pairs = room.pairs;
@@ -87,7 +90,8 @@ SceneStats with_room_to_move(SceneStats stats) {
 }
 
 bool is_flat(const Plan& plan) {
-  return plan.levels.count > 0 && has_one_layer(plan.levels.level[0].grid);
+  return plan.method == Method::half_shell && plan.levels.count > 0 &&
+         has_one_layer(plan.levels.level[0].grid);
 }
 
 /// Returns the skips that a plan takes.
@@ -98,10 +102,12 @@ Skips taken_by(const Plan& plan) {
   };
   take_if(plan.nothing_to_find, Skip::search);
   take_if(plan.method == Method::brute_force, Skip::grid);
-  take_if(plan.method == Method::half_shell, Skip::phantoms);
-  take_if(plan.levels.count > 1, Skip::wide_cells);
+  const bool rows = plan.method == Method::half_shell;
+  take_if(rows || plan.method == Method::tiles, Skip::phantoms);
+  take_if(rows && plan.levels.count > 1, Skip::wide_cells);
   take_if(is_flat(plan), Skip::layers);
-  const bool has_ids = plan.method != Method::brute_force && plan.facts.sphere_count > 0;
+  const bool has_ids = plan.method != Method::brute_force && plan.method != Method::tiles &&
+                       plan.facts.sphere_count > 0;
   take_if(has_ids && plan.key_bits < kIdBits, Skip::key_bits);
   take_if(plan.test == PairTest::filter_fast || plan.test == PairTest::filter_equal,
           Skip::safe_filter);
@@ -112,6 +118,10 @@ Skips taken_by(const Plan& plan) {
 }
 
 Plan plan_method(const SceneStats& stats, Method method, const PlanOptions& options) {
+  if (method == Method::tiles && options.predicate != Predicate::exact) {
+    throw LimitError(
+        fmt::format("method tiles has predicate exact only, not {}", name_of(options.predicate)));
+  }
   Plan plan;
   plan.method = method;
   plan.rule = options.rule;
@@ -128,6 +138,7 @@ Plan plan_method(const SceneStats& stats, Method method, const PlanOptions& opti
   plan.facts = needed_facts(stats.facts, plan.predicate, plan.test);
   plan.packing = choose_packing(stats.facts, plan.test);
   if (stats.facts.sphere_count > 0) choose_cells(plan, stats, options);
+  if (method == Method::tiles && plan.tiles.equal_radii) plan.facts.r_min = stats.facts.r_min;
   plan.taken = taken_by(plan);
   plan.capacity = first_capacities(stats, plan);
   return plan;
@@ -218,6 +229,14 @@ Plan cheapest_plan(const SceneStats& stats, const PlanOptions& options) {
   return best;
 }
 
+/// Returns the plan for half_shell that a plan for tiles includes.
+Plan without_tiles(Plan plan) {
+  plan.method = Method::half_shell;
+  plan.capacity.tile_records = 0;
+  plan.taken = taken_by(plan);
+  return plan;
+}
+
 }  // namespace
 
 Plan plan_buffers(std::uint64_t sphere_count, const PlanOptions& options) {
@@ -245,7 +264,11 @@ Plan grow(const Plan& plan, const Counts& found) {
     throw LimitError(
         fmt::format("the spheres meet {} cells, and {} are the limit", found.ids, kMaxIds));
   }
-  Plan next = plan;
+  const bool tiles_fit = found.tile_records <= kMostTileRecords;
+  Plan next = tiles_fit ? plan : without_tiles(plan);
+  if (tiles_fit) {
+    next.capacity.tile_records = std::max(plan.capacity.tile_records, found.tile_records);
+  }
   next.capacity.ids = std::max(plan.capacity.ids, found.ids);
   next.capacity.cells = std::max({plan.capacity.cells, found.cells, next.capacity.ids / 2 + 1});
   if (plan.count_only) return next;

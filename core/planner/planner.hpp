@@ -61,6 +61,17 @@ Grid make_grid(const PlanFacts& facts, double cell_side, double widest);
 Level make_level(const PlanFacts& facts, float r_max, double cell_side, std::uint32_t columns,
                  int most_bits);
 
+/// Returns tiles for method tiles, whose cells are at least two `r_max` wide. Correct for any
+/// scene; but if spheres are crowded, a tile may turn out to have more than a thread block can
+/// hold.
+Tiles make_tiles(const SceneStats& stats);
+
+/// Returns how many spheres and copies a tile should have room for, if they are spread evenly.
+std::uint32_t tile_room(const Tiles& tiles, std::uint64_t spheres);
+
+/// Returns the constants for a division by `units`, which is exact below 2^30.
+CellWidth cell_width(std::uint32_t units);
+
 /// Returns true if rows of such cells have no rows above and below, or none beside them.
 inline bool has_one_layer(const Grid& grid) {
   return grid.cell_count[1] == 1 || grid.cell_count[2] == 1;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,8 +30,9 @@ struct OwnChoices {
 };
 
 inline void add_own_choices(CLI::App& sub, OwnChoices& own) {
-  sub.add_option("--method", own.method,
-                 "planned (default: the planner chooses), home_phantom, half_shell or brute_force");
+  sub.add_option(
+      "--method", own.method,
+      "planned (default: the planner chooses), home_phantom, half_shell, brute_force or tiles");
   sub.add_option("--rule", own.rule,
                  "For home_phantom: lowest_cell (default), chapter32 or as_written");
   sub.add_option("--cell-side", own.cell_side, "Cell side in scene units, for rule lowest_cell");
@@ -40,6 +42,11 @@ inline void add_own_choices(CLI::App& sub, OwnChoices& own) {
 /// Sets the implementation's method and rule. Throws InputError if they do not fit together.
 inline void choose_method(Implementation& chosen, const OwnChoices& own) {
   chosen.method = method_or_planned(own.method);
+  const auto& methods = chosen.backend->methods;
+  if (chosen.method && !chosen.is_baseline() &&
+      std::ranges::find(methods, *chosen.method) == methods.end()) {
+    throw InputError(fmt::format("{} has no method {}", chosen.backend->name, own.method));
+  }
   if (!own.rule.empty()) chosen.rule = rule_named(own.rule);
   const bool of_home_phantom = !own.rule.empty() || own.cell_side;
   if (chosen.planned() && of_home_phantom) chosen.method = Method::home_phantom;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "harness/engine/backend_info.hpp"
@@ -17,15 +18,17 @@ inline constexpr std::array kAllPredicates = {
     Predicate::exact,    Predicate::f32,       Predicate::f32_sqrt,
     Predicate::f64,      Predicate::aabb_only, Predicate::f16_cell,
     Predicate::q16_cell, Predicate::q16_exact, Predicate::gram_f32};
-inline constexpr std::array kAllMethods = {Method::home_phantom, Method::half_shell,
-                                           Method::brute_force};
+inline constexpr std::array kCudaMethods = {Method::home_phantom, Method::half_shell,
+                                            Method::brute_force, Method::tiles};
+/// Those of the other backends.
+inline constexpr std::span<const Method> kMethodsOfAll = std::span(kCudaMethods).first<3>();
 
 inline std::optional<std::string> always_available() { return std::nullopt; }
 
 inline const BackendInfo kImplCpu = {.name = "impl_cpu",
                                      .kind = Kind::backend,
                                      .summary = "uniform grid and radix sort on CPU threads",
-                                     .methods = kAllMethods,
+                                     .methods = kMethodsOfAll,
                                      .predicates = kAllPredicates,
                                      .threaded = true,
                                      .why_unavailable = always_available,
@@ -40,7 +43,7 @@ inline const BackendInfo kImplCudaCustom = {
     .name = "impl_cuda_custom",
     .kind = Kind::backend,
     .summary = "uniform grid and radix sort, kernels of our own (CUDA)",
-    .methods = kAllMethods,
+    .methods = kCudaMethods,
     .predicates = kAllPredicates,
     .skips = kCudaSkips,
     .threaded = false,

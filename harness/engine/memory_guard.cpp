@@ -63,7 +63,7 @@ Plan within_memory(const Plan& plan, const HostBytes& bytes) {
                                            // long
   if (bytes.fixed + bytes_of(plan.capacity, bytes) < kUnasked) return plan;
   Capacities certain;
-  if (plan.method == Method::half_shell) certain.ids = plan.capacity.ids;
+  if (plan.method != Method::home_phantom) certain.ids = plan.capacity.ids;
   return fitted(plan, bytes, certain, 0.0);
 }
 

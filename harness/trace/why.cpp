@@ -48,6 +48,8 @@ void meet(Account& account, const Plan& plan) {
   switch (plan.method) {
     case Method::brute_force:
       return meet_everywhere(account);
+    case Method::tiles:
+      return meet_in_tiles(account, plan);
     case Method::half_shell:
       return meet_in_rows(account, plan);
     case Method::home_phantom:

@@ -16,4 +16,7 @@ void meet_as_written(Account& account, const Plan& plan);
 /// Method half_shell.
 void meet_in_rows(Account& account, const Plan& plan);
 
+/// Method tiles.
+void meet_in_tiles(Account& account, const Plan& plan);
+
 }  // namespace octocell::trace
