@@ -66,8 +66,8 @@ Tiles largest_tiles(const Grid& grid, double spheres, double most) {
   return best;
 }
 
-/// Returns true if larger cells would give better tiles: there are too many tiles, or a tile has few
-/// spheres although it has about as many cells as it can.
+/// Returns true if larger cells would give better tiles: there are too many tiles, or a tile has
+/// few spheres although it has about as many cells as it can.
 bool have_too_small_cells(const Tiles& tiles, double spheres, double wanted) {
   const double count = tile_count(tiles);
   if (count == 1.0) return false;

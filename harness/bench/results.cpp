@@ -62,12 +62,13 @@ Json plan_of(const RowResult& result) {
   for (std::size_t k = 0; k < kSkipCount; ++k) {
     if (left_out.has(static_cast<Skip>(k))) skips.push_back(kSkips[k].name);
   }
-  const int passes = result.plan.method == Method::brute_force
-                         ? 0
-                         : sort_passes(result.plan.key_bits, result.plan.sort_digit_bits);
-  return {{"method", name_of(result.plan.method)},
-          {"levels", result.plan.levels.count},
-          {"key_bits", result.plan.key_bits},
+  const Plan& plan = result.plan;
+  const bool tiles = plan.method == Method::tiles;  // its levels are for what does not fit
+  const bool has_ids = plan.method != Method::brute_force && !tiles;
+  const int passes = has_ids ? sort_passes(plan.key_bits, plan.sort_digit_bits) : 0;
+  return {{"method", name_of(plan.method)},
+          {"levels", tiles ? 0 : plan.levels.count},
+          {"key_bits", tiles ? 0 : plan.key_bits},
           {"sort_passes", passes},
           {"skips", skips}};
 }

@@ -19,6 +19,10 @@ std::map<Stage, std::uint64_t> stage_bytes(Method method, std::uint64_t spheres,
       {Stage::pair_tests, scene + sure_pairs},
       {Stage::resolve, counts.uncertain_pairs * (2 * sizeof(Sphere) + sizeof(Pair))}};
   if (method == Method::brute_force) return bytes;
+  if (method == Method::tiles) {  // a record is as long as a sphere; there are more, by the copies
+    bytes[Stage::cell_ids] = 2 * scene;
+    return bytes;
+  }
   bytes[Stage::cell_ids] = scene + entries;
   bytes[Stage::sort] = 2 * entries;
   bytes[Stage::cell_index] = counts.ids * kIdBytes;

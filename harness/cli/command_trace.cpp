@@ -147,7 +147,8 @@ void add_trace(CLI::App& sub, Command& command) {
   add_own_choices(sub, o->own);
   sub.get_option("--method")
       ->description(
-          "home_phantom (default), half_shell, brute_force, tiles, or planned: what find would take");
+          "home_phantom (default), half_shell, brute_force, tiles, or planned: what find would "
+          "take");
   sub.get_option("--cell-side")
       ->description(
           "Cell side in scene units, for rule lowest_cell; default: the largest diameter");

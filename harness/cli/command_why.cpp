@@ -40,8 +40,10 @@ void require_pair(const Options& options, std::size_t spheres) {
 }
 
 /// The rules of home_phantom unless another method is asked for: they are what a course teaches.
+/// Nothing runs, so a method that only a GPU has needs none here.
 Implementation chosen_implementation(const Options& options) {
-  Implementation how{.backend = &backend_named("impl_cpu")};
+  const bool tiles = options.own.method == name_of(Method::tiles);
+  Implementation how{.backend = &backend_named(tiles ? "impl_cuda_custom" : "impl_cpu")};
   choose_method(how, options.own);
   if (options.own.method.empty()) how.method = Method::home_phantom;
   return how;

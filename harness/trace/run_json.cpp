@@ -61,7 +61,7 @@ Json grid_of(const Grid& grid) {
   return {{"corner", corner}, {"sides", sides}, {"cells", cells}, {"wraps", wraps}};
 }
 
-/// The grids of a plan: one of home_phantom, one for each level of half_shell.
+/// The grids of a plan: one of home_phantom and of tiles, one for each level of half_shell.
 Json grids_of(const Plan& plan) {
   Json grids = Json::array();
   if (plan.method == Method::half_shell) {
@@ -72,6 +72,8 @@ Json grids_of(const Plan& plan) {
       grid["first_id"] = level.first_id;
       grids.push_back(grid);
     }
+  } else if (plan.method == Method::tiles) {
+    grids.push_back(grid_of(plan.tiles.grid));
   } else if (plan.method == Method::home_phantom && plan.rule == Rule::as_written) {
     // From the origin, without an end; ids repeat as the text's hash does.
     const float side = as_written::cell_side(plan.facts.r_max);

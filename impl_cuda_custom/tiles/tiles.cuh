@@ -3,6 +3,8 @@
 // memory. There is no sort of all spheres and no random read.
 #pragma once
 
+#include <cstdint>
+
 #include "impl_cuda_custom/stages.cuh"
 
 namespace octocell::cuda_custom::tiles {

@@ -92,6 +92,12 @@ def test_rules_are_of_home_phantom(octocell: Octocell, refused: Refused) -> None
     assert "no rules" in line
 
 
+def test_a_method_is_refused_by_a_backend_without_it(refused: Refused) -> None:
+    for backend in ("impl_cpu", "impl_thrust"):
+        line = refused("explain", "gas:n=3000", "--backend", backend, "--method", "tiles")
+        assert f"{backend} has no method tiles" in line
+
+
 @pytest.mark.parametrize("skip", SKIPS)
 def test_forbidding_a_skip_changes_no_answer(octocell: Octocell, skip: str) -> None:
     for scene in SCENES:

@@ -269,8 +269,10 @@ TEST_F(TilesOnDevice, FindTheSameSetAThousandTimes) {
 }
 
 TEST_F(TilesOnDevice, AnswerTheSameAsAGraphAndWithTransfers) {
-  find_completely(*finder_, generate("dense:n=30000").view(), kTiles);
+  const Scene scene = generate("dense:n=30000");  // transfers copy it again
+  find_completely(*finder_, scene.view(), kTiles);
   const PairDigest first = finder_->digest();
+  EXPECT_EQ(first, digest_of(reference::exact_pairs(scene.spheres)));
   DeviceRuns& runs = *finder_->device_runs();
   for (int time = 0; time < 3; ++time) {
     EXPECT_GT(runs.replay_ms(), 0.0);

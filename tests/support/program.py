@@ -78,7 +78,10 @@ class Octocell:
         for backend in self.listed("backends"):
             rows.append(("--backend", backend, "--method", "planned"))
             rows += [("--backend", backend, "--rule", rule) for rule in RULES]
-            rows += [("--backend", backend, "--method", m) for m in ("half_shell", "brute_force")]
+            methods = ["half_shell", "brute_force"]
+            if backend == "impl_cuda_custom":
+                methods.append("tiles")
+            rows += [("--backend", backend, "--method", m) for m in methods]
         return rows + [("--backend", name) for name in self.listed("baselines")]
 
 

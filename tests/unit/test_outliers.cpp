@@ -123,6 +123,7 @@ void expect_little_work(const Spoilt& scene, PlanOptions (*options)(PlanOptions)
     const std::unique_ptr<PairFinder> finder = how.backend->create();
     const Outcome outcome = find_completely(*finder, {scene.spheres}, options(how.plan_options(2)));
     EXPECT_EQ(finder->digest(), truth) << scene.name << ", " << how.label();
+    if (how.method == Method::tiles) continue;  // it has one size of cells, for the largest sphere
     EXPECT_LT(outcome.counts.candidates, kCandidatesOfOne * scene.spheres.size())
         << scene.name << ", " << how.label();
   }

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/overlap.hpp"
 #include "core/planner/planner.hpp"
-#include "core/predicate.hpp"
 #include "harness/scenes/scenes.hpp"
 #include "harness/verify/reference/reference.hpp"
 #include "impl_cuda_custom/tiles/tile_layout.hpp"
