@@ -3,16 +3,12 @@
 
 from __future__ import annotations
 
-import contextlib
-import os
-import re
 import shutil
 import subprocess
 from pathlib import Path
 
-import numpy as np
 import pytest
-from hand_in_sources import BRUTE_FORCE
+from hand_in_sources import BRUTE_FORCE, PYTHON, at_1000, changed
 from program import ROOT, Octocell, Refused
 from trying import Try
 
@@ -47,34 +43,11 @@ int find_pairs(const octocell_sphere* spheres, uint32_t n, octocell_pair* pairs,
   return cudaFree(s) || cudaFree(found) || cudaFree(counted);
 }
 """
-PYTHON = """
-import numpy as np
-
-def find_pairs(spheres):
-    s = spheres.astype(np.float64)
-    found = [np.empty((0, 2), int)]
-    for i in range(len(s)):
-        d = s[i + 1 :] - s[i]
-        near = (d[:, :3] ** 2).sum(axis=1) <= (s[i + 1 :, 3] + s[i, 3]) ** 2
-        j = np.flatnonzero(near) + i + 1
-        found.append(np.column_stack([np.full_like(j, i), j]))
-    return np.concatenate(found)
-"""
 
 
 @pytest.fixture(name="attempt")
 def _attempt(octocell: Octocell, tmp_path: Path) -> Try:
     return Try(octocell, tmp_path)
-
-
-def changed(old: str, new: str) -> str:
-    assert BRUTE_FORCE.count(old) == 1
-    return BRUTE_FORCE.replace(old, new)
-
-
-def at_1000(statement: str) -> str:
-    """Brute force that does something else in a scene of 1000 spheres."""
-    return changed("  uint64_t k = 0;", f"  uint64_t k = 0;\n  if (n == 1000) {{ {statement} }}")
 
 
 # Those that are right.
@@ -238,16 +211,6 @@ def test_a_verdict_that_is_printed_is_not_believed(attempt: Try) -> None:
     assert attempt(only_printed)["verdict"] == "wrong"
 
 
-def test_processes_that_it_leaves_behind_are_ended(attempt: Try, tmp_path: Path) -> None:
-    mark = tmp_path / "pid"
-    say = f'FILE* f = fopen("{mark}", "w"); fprintf(f, "%d", getpid()); fclose(f); sleep(600);'
-    leave = f"if (!fork()) {{ setsid(); if (!fork()) {{ {say} }} _exit(0); }} sleep(1); abort();"
-    text = "#include <cstdio>\n#include <cstdlib>\n#include <unistd.h>\n" + at_1000(leave)
-    assert attempt.ending(text) == "crashed: it crashed with SIGABRT"
-    with pytest.raises(ProcessLookupError):
-        os.kill(int(mark.read_text(encoding="utf-8")), 0)
-
-
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
@@ -308,57 +271,3 @@ def test_bad_calls_are_refused(
 ) -> None:
     (tmp_path / "a.txt").touch()
     assert reason in refused("try", *arguments)
-
-
-# Limits, sanitizers, and what follows after the scenes of every kind.
-
-
-def test_a_fork_bomb_is_ended(attempt: Try, monkeypatch: pytest.MonkeyPatch) -> None:
-    """All of its processes, also those that left its group."""
-    mark = f"FORK_BOMB={os.getpid()}"
-    monkeypatch.setenv(*mark.split("="))
-    text = "#include <unistd.h>\n" + at_1000("for (;;) { setsid(); fork(); }")
-    ending = attempt.ending(text, "--timeout", "60")
-    assert re.fullmatch(r"too many processes: it has \d+ processes, more than 64", ending)
-    alive = []
-    for environ in Path("/proc").glob("[0-9]*/environ"):
-        with contextlib.suppress(OSError):
-            alive += [environ] * (mark.encode() in environ.read_bytes().split(b"\0"))
-    assert alive == []
-
-
-def test_it_runs_as_another_user_than_root(attempt: Try) -> None:
-    if os.geteuid() != 0:
-        pytest.skip("not root")
-    text = "#include <cstdlib>\n#include <unistd.h>\n" + at_1000("if (geteuid() == 0) abort();")
-    assert attempt(text)["verdict"] == "exact"
-
-
-def test_the_stress_catalogue_follows(attempt: Try, tmp_path: Path) -> None:
-    huge_missing = changed("return x * x", "return r < 1e9 && x * x")
-    answer = attempt(huge_missing, "--budget", "8")
-    assert answer["verdict"] == "wrong" and answer["class"] == "stress", answer["at"]
-    saved = tmp_path / "scene.npy"
-    text = changed("uint32_t j = i + 1", "uint32_t j = i + 2")
-    assert attempt(text, "--save", str(saved))["class"] == "small"
-    assert np.load(saved).shape == (2, 4)
-
-
-@pytest.mark.parametrize(
-    ("statement", "found"),
-    [
-        ("static int* a = new int[4]; a[n % 7] = 1;", "AddressSanitizer: heap-buffer"),
-        ("volatile int m = 2147483647; m = m + 1;", "runtime error: signed integer overflow"),
-    ],
-)
-def test_sanitizers_find_what_the_answer_does_not_show(
-    attempt: Try, statement: str, found: str
-) -> None:
-    text = at_1000(statement)
-    ending = attempt.ending(text, "--sanitize")
-    assert ending.startswith("sanitizer: ") and found in ending
-
-
-def test_no_sanitizer_for_python(attempt: Try) -> None:
-    ending = attempt.ending(PYTHON, "--sanitize", name="mine.py")
-    assert ending == "no sanitizer: --sanitize is for .cpp and .cu, not for .py"
