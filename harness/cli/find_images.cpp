@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <utility>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
