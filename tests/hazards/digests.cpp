@@ -77,16 +77,15 @@ void print_answers(const Case& scene) {
              checksum_of(scene.spheres));
   const PairDigest truth = digest_of(reference::exact_pairs(scene.spheres));
   fmt::print("{} | exact {} {:#018x}\n", scene.name, truth.count, truth.checksum);
-  for (std::size_t m = 0; m < kMethodNames.size(); ++m) {
+  for (const Method method : {Method::home_phantom, Method::half_shell, Method::brute_force}) {
     for (std::size_t r = 0; r < kRuleNames.size(); ++r) {
-      const PlanOptions options = {
-          .method = static_cast<Method>(m), .rule = static_cast<Rule>(r), .threads = 2};
-      fmt::print("{} | {} {} {}\n", scene.name, kMethodNames[m], kRuleNames[r],
+      const PlanOptions options = {.method = method, .rule = static_cast<Rule>(r), .threads = 2};
+      fmt::print("{} | {} {} {}\n", scene.name, name_of(method), kRuleNames[r],
                  answer(scene.spheres, options));
       // A lattice spares its scene all uncertain pairs, which are what tempts compilers.
       PlanOptions uncertain = options;
       uncertain.allowed = uncertain.allowed.without(Skip::uncertain_pairs);
-      fmt::print("{} | {} {} uncertain {}\n", scene.name, kMethodNames[m], kRuleNames[r],
+      fmt::print("{} | {} {} uncertain {}\n", scene.name, name_of(method), kRuleNames[r],
                  answer(scene.spheres, uncertain));
     }
   }
