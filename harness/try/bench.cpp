@@ -18,6 +18,7 @@
 #include "harness/try/board.hpp"
 #include "harness/try/child.hpp"
 #include "harness/try/compile.hpp"
+#include "harness/try/task.hpp"
 #include "harness/try/try.hpp"
 #include "harness/verify/reference/reference.hpp"
 
@@ -27,7 +28,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
-constexpr double kGiB = 1073741824.0;
 constexpr std::size_t kMostSpheres = 100'000;
 constexpr std::size_t kMostPairs = 8'000'000;
 constexpr std::size_t kMostForBruteForce = 10'000;
@@ -59,10 +59,7 @@ class HandIn final : public Contestant {
       : Contestant("mine"),
         board_(kMostSpheres, kMostPairs),
         timeout_(options.timeout_s),
-        child_(program,
-               {.memory_bytes = options.memory_gib * kGiB,
-                .start = Seconds(std::max(options.timeout_s, 60.0))},
-               &board_) {}
+        child_(program, limits_of(options), &board_) {}
 
   double time(const Scene& scene, const std::vector<Pair>& truth, Trial& trial) override {
     trial.at = scene.spec;
@@ -93,10 +90,7 @@ class HandIn final : public Contestant {
     for (const octocell_pair p : board_.first(count)) pairs.push_back({p.i, p.j});
     judge::Judgement judgement = judge::judge(pairs, scene, truth);
     if (judgement.exact()) return;
-    if (!judgement.causes.empty()) {
-      trial.cause = judgement.causes.front();
-      trial.cause_at = scene.spec;
-    }
+    note_cause(judgement, scene, trial);
     trial.wrong = std::move(judgement);
   }
 

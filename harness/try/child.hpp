@@ -37,6 +37,10 @@ struct Limits {
   std::size_t processes = 64;  // it and those that it started, threads not counted
 };
 
+struct Options;
+/// Returns the limits that the options ask for.
+Limits limits_of(const Options& options);
+
 using Bytes = std::vector<std::byte>;
 using Inputs = std::vector<std::span<const std::byte>>;
 using Outputs = std::array<Bytes, kMostOutputs>;

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <chrono>
-#include <cstdint>
 
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/precision.hpp"
 #include "harness/scenes/scenes.hpp"
 #include "harness/try/task.hpp"
 #include "harness/verify/reference/reference.hpp"
@@ -28,14 +30,8 @@ bool float64_is_enough(const Scene& scene, const std::vector<Pair>& truth) {
   if (spheres.size() > kMostForFloat64) return false;
   std::vector<Pair> pairs;
   for (std::uint32_t i = 0; i < spheres.size(); ++i) {
-    const Sphere& a = spheres[i];
     for (std::uint32_t j = i + 1; j < spheres.size(); ++j) {
-      const Sphere& b = spheres[j];
-      const double x = static_cast<double>(a.x) - b.x;
-      const double y = static_cast<double>(a.y) - b.y;
-      const double z = static_cast<double>(a.z) - b.z;
-      const double r = static_cast<double>(a.r) + b.r;
-      if (x * x + y * y + z * z <= r * r) pairs.push_back({i, j});
+      if (pair_tests::within_f64(spheres[i], spheres[j])) pairs.push_back({i, j});
     }
   }
   return pairs == truth;
@@ -106,12 +102,6 @@ class PairsTask final : public Task {
     const Outputs found = child.ask({.capacity = capacity, .most = most}, {bytes_of(scene.spheres)},
                                     most * sizeof(ListedPair), limit);
     return items_of<ListedPair>(found[0]);
-  }
-
-  static void note_cause(const judge::Judgement& judgement, const Scene& scene, Trial& trial) {
-    if (judgement.causes.empty()) return;
-    trial.cause = judgement.causes.front();
-    trial.cause_at = scene.spec;
   }
 
   std::size_t seed_;

@@ -38,6 +38,9 @@ constexpr std::uint64_t most_entries(std::size_t truth) { return 20 * truth + 2'
 
 Scene make_scene(const TrialScene& trial);
 
+/// Writes the cause of a wrong answer into the trial, if one was found.
+void note_cause(const judge::Judgement& judgement, const Scene& scene, Trial& trial);
+
 template <typename T>
 std::span<const std::byte> bytes_of(const std::vector<T>& items) {
   return std::as_bytes(std::span(items));

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/available_memory.hpp"
 #include "core/text.hpp"
 #include "harness/files/save.hpp"
 #include "harness/try/child.hpp"
@@ -17,8 +18,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
-
-constexpr double kGiB = 1073741824.0;
 
 std::unique_ptr<Task> make_task(const Options& options) {
   if (options.function == Function::find_pairs) return make_pairs_task(options.seed);
@@ -43,8 +42,7 @@ class Run {
       : trial_(trial),
         options_(options),
         task_(make_task(options)),
-        child_(program, {.memory_bytes = options.memory_gib * kGiB,
-                         .start = Seconds(std::max(options.timeout_s, 60.0))}) {}
+        child_(program, limits_of(options)) {}
 
   void try_all() {
     for (const TrialScene& scene : task_->scenes(options_.seed)) {
@@ -91,6 +89,17 @@ class Run {
 };
 
 }  // namespace
+
+Limits limits_of(const Options& options) {
+  return {.memory_bytes = options.memory_gib * kGiB,
+          .start = Seconds(std::max(options.timeout_s, 60.0))};
+}
+
+void note_cause(const judge::Judgement& judgement, const Scene& scene, Trial& trial) {
+  if (judgement.causes.empty()) return;
+  trial.cause = judgement.causes.front();
+  trial.cause_at = scene.spec;
+}
 
 Trial try_hand_in(const Options& options) {
   const TemporaryFolder folder;

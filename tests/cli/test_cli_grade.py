@@ -12,8 +12,8 @@ import zipfile
 from pathlib import Path
 
 import pytest
+from hand_in_sources import PYTHON
 from program import ROOT, Octocell
-from test_cli_try import PYTHON
 
 from octocell_grade.rubric import Rubric, read_rubric
 from octocell_report.fields import ReportError

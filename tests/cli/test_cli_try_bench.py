@@ -13,8 +13,8 @@ from typing import Any
 
 import pytest
 from cheats import CHEATS
+from hand_in_sources import PYTHON
 from program import ROOT, Octocell, Refused
-from test_cli_try import PYTHON
 
 Bench = Callable[..., dict[str, Any]]
 
