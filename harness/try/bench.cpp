@@ -46,7 +46,8 @@ class Contestant {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] virtual bool takes(std::size_t /*spheres*/) const { return true; }
   /// Finds the pairs. Returns milliseconds from spheres in memory to pairs in memory. If the answer
-  /// is wrong, the trial says so. Throws CannotJudge.
+  /// is wrong, the trial says so. Throws CannotJudge; LimitError for a row of ours that cannot
+  /// find them, or finds others.
   virtual double time(const Scene& scene, const std::vector<Pair>& truth, Trial& trial) = 0;
 
  private:
@@ -113,11 +114,17 @@ class Builtin final : public Contestant {
     return how_.method != Method::brute_force || spheres <= kMostForBruteForce;
   }
 
-  double time(const Scene& scene, const std::vector<Pair>&, Trial&) override {
+  double time(const Scene& scene, const std::vector<Pair>& truth, Trial&) override {
     const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     const auto begin = Clock::now();
     find_completely(*finder_, scene.view(), how_.plan_options(threads));
-    return 1e3 * Seconds(Clock::now() - begin).count();
+    const Seconds taken = Clock::now() - begin;
+    const reference::Comparison found = reference::compare(finder_->sorted_pairs(), truth);
+    if (!found.exact()) {
+      throw LimitError(fmt::format("wrong: missed {}, false {}, duplicates {}", found.missed,
+                                   found.false_pairs, found.duplicates));
+    }
+    return 1e3 * taken.count();
   }
 
  private:
