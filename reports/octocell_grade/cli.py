@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The command line. Exit code 0: all were graded, whatever their grades; 2: not, and why."""
+"""The command line. Exit code 0: all were graded, well or badly; 2: not, and why."""
 
 from __future__ import annotations
 
